@@ -219,9 +219,9 @@ namespace
       threads.emplace_back([&, t] {
         for (int i = 0; i < n_times; ++i)
           {
-            const AddedInfluence plans({grid.mx + i, grid.my, grid.dx, grid.dy, grid.x0, grid.y0},
-                                       std::vector<AddedInfluence::Basis>(grid.my));
-            const BodyTables     again = make_body_tables(one.scene, one.geometry, "tables");
+            const RowsInfluence plans({grid.mx + i, grid.my, grid.dx, grid.dy, grid.x0, grid.y0},
+                                      std::vector<RowsInfluence::Basis>(grid.my));
+            const BodyTables    again = make_body_tables(one.scene, one.geometry, "tables");
             read[t] += again.rail.remainder == one.tables.rail.remainder &&
                        again.wheel.remainder == one.tables.wheel.remainder;
           }
@@ -245,8 +245,8 @@ namespace
       const double even = std::exp(-lag * lag / 4e-6) / (1 + std::abs(i - j)), odd = lag * 1e3 * even;
       return (a == 2) == (b == 2) ? even * (1 + (a == b)) : a == 2 ? -odd : odd;
     };
-    std::vector<AddedInfluence::Basis> bases;
-    RowInfluence                       here{rows, {}, {}}, ahead;
+    std::vector<RowsInfluence::Basis> bases;
+    RowInfluence                      here{rows, {}, {}}, ahead;
     for (int j = 0; j < grid.my; ++j)
       {
         const double c = std::cos(0.1 * j), s = std::sin(0.1 * j);
@@ -255,13 +255,13 @@ namespace
       }
     ahead = here;
     for (RowInfluence *influence : {&here, &ahead})
-      for (const double lag : AddedInfluence::lags(grid, influence == &here ? 0 : step))
+      for (const double lag : RowsInfluence::lags(grid, influence == &here ? 0 : step))
         for (int r = 0; r < 9 * rows * rows; ++r)
           {
             const int row = r / (3 * rows), column = r % (3 * rows);
             influence->by_lag.push_back(kernel(row / 3, row % 3, column / 3, column % 3, lag));
           }
-    AddedInfluence added(grid, bases);
+    RowsInfluence added(grid, bases);
     added.add_body(here, ahead, step);
     std::vector<double> t(grid.size(), 0.), u(grid.size(), 0.), slip(grid.size(), 0.);
     const int           source = 2 + grid.mx * 1, receiver = 5 + grid.mx * 3;
@@ -306,10 +306,10 @@ namespace
     };
     RowInfluence here{1, {1}, {}}, ahead{1, {1}, {}};
     for (RowInfluence *influence : {&here, &ahead})
-      for (const double lag : AddedInfluence::lags(grid, influence == &here ? 0 : step))
+      for (const double lag : RowsInfluence::lags(grid, influence == &here ? 0 : step))
         for (int entry = 0; entry < 9; ++entry)
           influence->by_lag.push_back(kernel(entry / 3, entry % 3, lag));
-    AddedInfluence added(grid, {{{0, 1, 0, 0, 0, -1, 1, 0, 0}}});
+    RowsInfluence added(grid, {{{0, 1, 0, 0, 0, -1, 1, 0, 0}}});
     added.add_body(here, ahead, step);
     std::vector<double> t(grid.size(), 0.), u(grid.size(), 0.), slip(grid.size(), 0.);
     for (int i = 20; i < 60; ++i)

@@ -308,13 +308,16 @@ namespace
                cases[1].file + ":" + std::to_string(cases[1].line) +
                  ": the case goes on from one before that is not computed; taken are cases with P = 2",
                "and says so");
-    cases[0].digits.influence = 2;
-    cases[1].rolling.step     = 0.5; // two elements
+    cases[0].digits.influence            = 2;
+    cases[1].rolling.step                = 0.5; // two elements
+    cases[1].digits.law                  = 3;
+    cases[1].friction.lines[0].constants = {0.2, 0.1, 500, 0, 900};
     check_text(
       solve_cases(cases)[1].refused.at(0),
       cases[1].file + ":" + std::to_string(cases[1].rolling.line) +
-        ": DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 without G = 2",
-      "steps of several elements are refused");
+        ": DQ > DX (steps of several elements) with L = 3 and M = 0 is not computed; taken are DQ = DX, and "
+        "L = 0 with M = 0",
+      "steps of several elements with friction that varies are refused");
     cases[1].rolling.step = 0.25;
     cases[1].digits.past  = 2;
     cases[1].digits.after = 2;
@@ -337,11 +340,64 @@ namespace
     check_relative(s.solution.approach, s.hertz->approach, 1e-12, "approach of Hertz");
   }
 
+  /// Cylinders by their curvature or length: the strip of Carter's printed case, pressure given.
+  void
+  test_strip()
+  {
+    ContactCase one      = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(0);
+    one.grid.kind        = -4;
+    one.grid.values      = {0.001, 100, 1.1};
+    const CaseSolution s = solve_case(one);
+    check_relative(
+      s.hertz->a, std::sqrt(4 * 0.5 * 178.9e3 / (M_PI * 82e9 / 0.72)), 1e-9, "half length of a strip");
+    check_relative(s.hertz->peak_pressure, 113.9e6, 5e-4, "its peak pressure");
+    check_relative(s.solution.peak_pressure, 113.9e6, 5e-3, "solved");
+    check_relative(s.solution.fx, 6955, 1e-2, "its force");
+    one.grid.kind   = -5;
+    one.grid.values = {1e3 * s.hertz->a, 100, 1.1};
+    check_relative(solve_case(one).hertz->A, 1, 1e-9, "half curvature of a length");
+    one.grid.my            = 9; // of which 5 lie within
+    one.grid.values.back() = 2;
+    check_text(
+      refusals(one).at(0),
+      one.file + ":" + std::to_string(one.grid.line) +
+        ": IPOTCN = -5 (a strip) with rows beside it, SCALE > 1, and B = 0 is not computed; taken are "
+        "SCALE <= 1, and B = 2 and 3",
+      "rows beside a strip");
+    for (const int bound : {2, 3})
+      {
+        one.digits.bound              = bound;
+        const HalfspaceSolution given = solve_case(one).solution;
+        check_relative(given.fn, 35780, 5e-3, "force of a given pressure");
+        check_relative(given.grid.dy, 40e-3, 1e-9, "five rows in 200 mm");
+        check_near(given.width_y, 200e-3, 1e-9, "and the others do not touch");
+      }
+  }
+
+  /// A surface that is inclined across (C = 4), by places and angles; rolling to -x its rows turn, too.
+  void
+  test_inclined_surface()
+  {
+    const std::string text = replaced(
+      replaced(basic, "  022020 ", "  024020 "), "   .28     .27 ", " 1 3 2\n -4.2 -6d\n -3.6 6d\n .28 .27 ");
+    // rows at y = -4.05 and -3.75, after half a turn the other way round
+    const std::vector<double> angles = case_problem(first_case(text)).angles;
+    check(angles.size() == 2, "two rows");
+    check_relative(angles.at(0), -3 * M_PI / 180, 1e-9, "the inclination of one");
+    check_relative(angles.at(1), 3 * M_PI / 180, 1e-9, "and of the other");
+    // little inclined it is a plane
+    ContactCase  one     = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(6);
+    const double plane   = solve_case(one).solution.peak_pressure;
+    one.digits.influence = 4;
+    one.influence        = {1, 3, {{-1, 0}, {1, 1e-9}}, "", 1};
+    check_relative(solve_case(one).solution.peak_pressure, plane, 1e-4, "a plane");
+  }
+
   /// Rows of friction rolling to -x and to +x; a force over FN alone.
   void
   test_friction_of_rows()
   {
-    ContactCase one = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(18);
+    ContactCase one = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(22);
     const HalfspaceSolution forward = solve_case(one).solution;
     one.rolling.direction           = std::acos(-1.);
     one.kinematics.x                = -one.kinematics.x;
@@ -402,15 +458,15 @@ namespace
         found += sentence;
       check_text(found, "x.inp:" + expected, expected.substr(0, 30));
     };
+    expect({{"  022020 ", "  022320 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 1 1 1"}},
+           "4: M = 3 (FASTSIM) on a contact that is no ellipse is not computed; taken are IPOTCN = "
+           "-3 to -1");
     expect(
       {{"  203100 ", "  202100 "},
-       {"  022020 ", "  422020 "},
-       {"0.4013  0.4013 ", "0.2 0.1 500 0 900\n 0.5 1 %"}},
-      "8: MEMDST > 0 (friction with a memory) with T = 2 is not computed; taken are T = 3 and MEMDST = 0");
-    expect(
-      {{"  022020 ", "  022320 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 1 1 1"}},
-      "4: M = 3 (FASTSIM) on a contact that is no ellipse (IPOTCN > 0) is not computed; taken are IPOTCN = "
-      "-3 to -1");
+       {"  022020 ", "  024020 "},
+       {"   .28     .27 ", " 0 4 2\n -1 -0.1\n 1 0.1\n .28 .27 "}},
+      "4: C = 4 (angle correction) with T = 2 is not computed; taken are T = 0 and 3x.inp:10: IF_METH = 0 "
+      "with VARIANT = 4 is not computed; taken is IF_METH = 1 with VARIANT = 3 (displacements turned)");
     expect({{"180.d", "90.d "}},
            "9: CHI other than 0 and 180d (rolling across x) is not computed; taken are 0 and 180d");
     expect({{"  203100 ", "  203120 "}, {"-0.00304, 0,", "0.8 -0.7"}},
@@ -434,6 +490,8 @@ main()
   test_hertz();
   test_past();
   test_pressure_given();
+  test_strip();
+  test_inclined_surface();
   test_friction_of_rows();
   test_friction_laws();
   test_refused_values();

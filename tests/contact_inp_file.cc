@@ -147,7 +147,7 @@ namespace
     check_text(found,
                "x.inp:4: C = 3 (influence functions: half-space, bilinear) is not computed; taken are 0 (as "
                "before), 1 "
-               "(as before) or 2 (half-space)",
+               "(as before), 2 (half-space) or 4 (half-space with angle correction)",
                "an influence function is refused");
     check(refusals(cases[2]).size() == 2, "so are damping and gap weights");
     const ContactCase more =

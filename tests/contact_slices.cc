@@ -27,6 +27,7 @@ namespace
   struct Parts
   {
     std::string words = " 1203000\n 0022033\n 0000320\n", shear = "82000";
+    std::string influence; ///< of C = 4
     std::string elements, track, rail, wheelset, wheel, position, velocity;
   };
 
@@ -34,7 +35,7 @@ namespace
   solve(const Parts &p)
   {
     std::string text = " 1 MODULE\n" + p.words;
-    text += "999 100 30 1 1e-5\n0.3 0.3\n0.28 0.28 " + p.shear + ' ' + p.shear + '\n';
+    text += "999 100 30 5 1e-5\n0.3 0.3\n" + p.influence + "0.28 0.28 " + p.shear + ' ' + p.shear + '\n';
     text += p.elements + " 1 90d 8 4\n" + p.track + " 0\n'" + p.rail + " -1\n0 0 0 0 0 0\n" + p.wheelset +
             "\n'" + p.wheel + " -1\n" + p.position + '\n' + p.velocity + "\n 0 MODULE\n";
     std::string digits = text;
@@ -190,12 +191,12 @@ namespace
     write("tread.prw", 10, 1);
     for (const auto &row : test::read_table("contact_groove.csv"))
       {
-        if (row[0] != "half-space")
-          continue;
-        const std::string name = "groove of " + row[1] + " mm: ";
+        const bool        flat = row[0] == "half-space";
+        const std::string name = row[0] + ", groove of " + row[1] + " mm: ";
         write("groove.prr", std::stod(row[1]), 1);
         Parts p;
-        p.words           = " 1203110\n 0042033\n 0000320\n";
+        p.words           = flat ? " 1203110\n 0042033\n 0000320\n" : " 1203110\n 0044033\n 0000320\n";
+        p.influence       = flat ? "" : "1 3\n";
         p.shear           = "80000";
         p.elements        = "0.095833 0.25";
         p.track           = "-1 0 0";

@@ -326,18 +326,18 @@ namespace
     Contact                contact = elliptic_contact(6e-3, 4e-3);
     const double           bound = friction * normal_force(contact), yaw = 2e-4 / bound; // [rad/N]
     const BeyondHalfspaces beyond = [&](const StartGrid &start) {
-      const HalfspaceGrid                     &grid = start.grid;
-      const std::vector<AddedInfluence::Basis> bases(grid.my, {{0, 1, 0, 0, 0, -1, 1, 0, 0}});
-      const auto                               lever = [&](const double ahead) {
+      const HalfspaceGrid                    &grid = start.grid;
+      const std::vector<RowsInfluence::Basis> bases(grid.my, {{0, 1, 0, 0, 0, -1, 1, 0, 0}});
+      const auto                              lever = [&](const double ahead) {
         RowInfluence influence{1, std::vector<double>(grid.my, 1.), {}};
-        for (const double lag : AddedInfluence::lags(grid, ahead))
+        for (const double lag : RowsInfluence::lags(grid, ahead))
           {
             influence.by_lag.resize(influence.by_lag.size() + 9, 0.);
             influence.by_lag[influence.by_lag.size() - 9] = yaw * lag;
           }
         return influence;
       };
-      auto added = std::make_shared<AddedInfluence>(grid, bases);
+      auto added = std::make_shared<RowsInfluence>(grid, bases);
       added->add_body(lever(0), lever(grid.dx), grid.dx);
       return added;
     };

@@ -87,7 +87,7 @@ namespace wheelrail
 
 
   std::vector<double>
-  BodyContact::wheel_rise(const AddedInfluence::Given &t) const
+  BodyContact::wheel_rise(const RowsInfluence::Given &t) const
   {
     const HalfspaceGrid &grid = problem_.grid;
     std::vector<double>  rise(grid.size(), 0.);
@@ -107,7 +107,7 @@ namespace wheelrail
   }
 
 
-  AddedInfluence::Given
+  RowsInfluence::Given
   BodyContact::tractions() const
   {
     return {{&solution_.traction_x, &solution_.traction_y, &solution_.pressure}};

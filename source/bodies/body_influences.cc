@@ -15,8 +15,8 @@ namespace wheelrail
                   const HalfspaceGrid &grid,
                   const double         step)
   {
-    std::vector<double>       lags  = AddedInfluence::lags(grid, 0);
-    const std::vector<double> ahead = AddedInfluence::lags(grid, step);
+    std::vector<double>       lags  = RowsInfluence::lags(grid, 0);
+    const std::vector<double> ahead = RowsInfluence::lags(grid, step);
     // lags i dx and i dx + step: for a step of one element the second set is the first moved on by one, and
     // only one lag is new
     const std::ptrdiff_t count = lags.size(), next = step == grid.dx ? 1 : count;

@@ -23,8 +23,8 @@ namespace wheelrail
   std::vector<BodyContact::RowMotion>
   BodyContact::row_motions() const
   {
-    const HalfspaceGrid        &grid = problem_.grid;
-    const AddedInfluence::Given t    = tractions();
+    const HalfspaceGrid       &grid = problem_.grid;
+    const RowsInfluence::Given t    = tractions();
     const auto          rail = added_->fixed_displacement(0, t), wheel = added_->fixed_displacement(1, t);
     std::vector<double> against = displacements(*kernels_, {1}, t).front();
     added_->add_displacement(t, {{nullptr, &against, nullptr}});
@@ -115,7 +115,7 @@ namespace wheelrail
           }
         rows_[j] = moved;
       }
-    std::vector<AddedInfluence::Basis> bases;
+    std::vector<RowsInfluence::Basis> bases;
     for (const Row &row : rows_)
       bases.push_back(row_basis(row.angle));
     added_->set_bases(bases);

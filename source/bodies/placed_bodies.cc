@@ -9,7 +9,7 @@
 
 namespace wheelrail
 {
-  AddedInfluence::Basis
+  RowsInfluence::Basis
   row_basis(const double angle)
   {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -54,10 +54,10 @@ namespace wheelrail
   }
 
 
-  std::shared_ptr<AddedInfluence>
+  std::shared_ptr<RowsInfluence>
   added_influence(const PlacedBodies &placed, const HalfspaceGrid &grid, const double step)
   {
-    auto added = std::make_shared<AddedInfluence>(grid, placed.bases);
+    auto added = std::make_shared<RowsInfluence>(grid, placed.bases);
     for (const BodyInfluences &influence : placed.influences)
       added->add_body(influence.here, influence.ahead, step);
     return added;

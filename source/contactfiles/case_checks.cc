@@ -132,20 +132,45 @@ namespace wheelrail
 
   namespace
   {
+    /// Influences corrected for the turn of the normal.
+    template <typename Add>
+    void
+    refuse_angle_correction(const ContactCase &one, const Add &add)
+    {
+      const ControlDigits &d = one.digits;
+      if (one.module == 1 && d.grid != 4)
+        add(one.word_lines[1],
+            "C = 4 (angle correction) on a plane, D = " + std::to_string(d.grid),
+            "taken is D = 4");
+      if (d.motion == 1 || d.motion == 2)
+        add(one.word_lines[1],
+            "C = 4 (angle correction) with T = " + std::to_string(d.motion),
+            "taken are T = 0 and 3");
+      if (one.influence.method != 1 || one.influence.variant != 3)
+        add(one.influence.line,
+            "IF_METH = " + std::to_string(one.influence.method) +
+              " with VARIANT = " + std::to_string(one.influence.variant),
+            "taken is IF_METH = 1 with VARIANT = 3 (displacements turned)");
+    }
+
     /// Values of module 3.
     template <typename Add>
     void
     refuse_basic(const ContactCase &one, const Add &add)
     {
-      const ControlDigits &d    = one.digits;
-      const int            kind = one.grid.kind;
-      if (kind <= -4)
+      const ControlDigits &d     = one.digits;
+      const int            kind  = one.grid.kind;
+      const bool           strip = kind == -4 || kind == -5;
+      if (kind == -6)
+        add(one.grid.line, "IPOTCN = -6", "taken are -5 to -1 (ellipses, strips) and 1 to 4 (grids)");
+      if (strip && d.bound < 2 && one.grid.rows_of_strip() < one.grid.my)
         add(one.grid.line,
-            "IPOTCN = " + std::to_string(kind),
-            "taken are -3 to -1 (ellipses) and 1 to 4 (grids)");
-      if (kind > 0 && (d.material == 2 || d.material == 3))
+            "IPOTCN = " + std::to_string(kind) +
+              " (a strip) with rows beside it, SCALE > 1, and B = " + std::to_string(d.bound),
+            "taken are SCALE <= 1, and B = 2 and 3");
+      if ((kind > 0 || strip) && (d.material == 2 || d.material == 3))
         add(one.word_lines[1],
-            "M = " + std::to_string(d.material) + " (FASTSIM) on a contact that is no ellipse (IPOTCN > 0)",
+            "M = " + std::to_string(d.material) + " (FASTSIM) on a contact that is no ellipse",
             "taken are IPOTCN = -3 to -1");
       if ((d.material == 2 || d.material == 3) && d.motion != 3 && d.motion != 0)
         add(one.word_lines[1], "M = 2, 3 (FASTSIM) without T = 3 (steady rolling)", "taken is T = 3");
@@ -153,10 +178,6 @@ namespace wheelrail
         add(one.distance.line, "IPLAN = 4 (weighted patches)", "taken are 1 (all elements), 2 and 3");
       if (d.motion >= 2 && std::abs(std::sin(one.rolling.direction)) > 1e-3)
         add(one.rolling.line, "CHI other than 0 and 180d (rolling across x)", "taken are 0 and 180d");
-      if ((d.motion == 1 || d.motion == 2) && d.law >= 2 && one.friction.memory_length > 0)
-        add(one.friction.line,
-            "MEMDST > 0 (friction with a memory) with T = " + std::to_string(d.motion),
-            "taken are T = 3 and MEMDST = 0");
       const ContactKinematics &k = one.kinematics;
       if (d.motion != 0 && d.forces >= 1 && std::hypot(k.x, d.forces == 2 ? k.y : 0) >= 1)
         add(k.line,
@@ -196,9 +217,6 @@ namespace wheelrail
             "taken are T = 0 and 3");
       if ((slices || out_of_round || d.side >= 4) && d.grid == 4)
         add(one.word_lines[1], "D = 4 (conformal) on rollers or slices", "taken are D = 2 and 5");
-      if (d.grid == 4 && d.motion == 2)
-        add(
-          one.word_lines[0], "T = 2 (transient rolling) with D = 4 (conformal)", "taken are T = 0, 1 and 3");
       if (slices && d.side >= 4)
         add(one.track.profile.line, "a roller by slices", "taken are profiles of one section");
       if (slices && one.track.gauge_height > 0)
@@ -241,6 +259,8 @@ namespace wheelrail
               entry->meaning + ")",
             "taken are " + accepted_digits(digit, {DigitValue::taken, DigitValue::kept}));
       }
+    if (one.digits.influence == 4)
+      refuse_angle_correction(one, add);
     if (one.digits.heat != 0 && (one.digits.motion == 1 || one.digits.motion == 2))
       add(one.word_lines[2],
           "H = " + std::to_string(one.digits.heat) + " (heat) with T = " + std::to_string(one.digits.motion),

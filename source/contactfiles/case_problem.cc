@@ -15,7 +15,7 @@ namespace wheelrail
   {
 
 
-    /// The grid, of an ellipse SCALE times as large.
+    /// The grid, of an ellipse or a strip SCALE times as large.
     HalfspaceGrid
     grid_of(const ContactGrid &given, const std::optional<HertzContact> &hertz)
     {
@@ -25,10 +25,13 @@ namespace wheelrail
       double x, y; // the corner
       if (hertz)
         {
-          x       = -given.values.back() * hertz->a;
-          y       = -given.values.back() * hertz->b;
-          grid.dx = -2 * x / grid.mx;
-          grid.dy = -2 * y / grid.my;
+          const double scale = given.values.back();
+          x                  = -scale * hertz->a;
+          grid.dx            = -2 * x / grid.mx;
+          grid.dy            = 2 * scale * hertz->b / grid.my;
+          if (given.kind <= -4) // whole rows in the strip, the others to both sides
+            grid.dy = 2 * hertz->b / given.rows_of_strip();
+          y = -0.5 * grid.my * grid.dy;
         }
       else
         {
@@ -151,15 +154,39 @@ namespace wheelrail
         value = -value;
     }
 
-    /// Hertz's ellipsoid, or a paraboloid of the same force (B = 2, 3).
+    /// Inclination of the surface at each row, on straight lines between the places given (C = 4).
+    std::vector<double>
+    angles_of(const ContactInfluence &given, const HalfspaceGrid &grid)
+    {
+      std::vector<double> angles;
+      for (int j = 0; j < grid.my; ++j)
+        {
+          const double y    = grid.y(j) / millimetre;
+          const auto  &s    = given.surface;
+          const auto   next = std::find_if(s.begin(), s.end(), [&](const auto &p) { return p.first >= y; });
+          if (next == s.begin() || next == s.end())
+            angles.push_back(next == s.end() ? s.back().second : next->second);
+          else
+            {
+              const auto &[y0, a0] = *(next - 1);
+              angles.push_back(a0 + (y - y0) / (next->first - y0) * (next->second - a0));
+            }
+        }
+      return angles;
+    }
+
+    /// Hertz's ellipsoid or half cylinder, or a paraboloid of the same force (B = 2, 3).
     void
     give_pressure(const HertzContact &hertz, const bool elliptic, HalfspaceProblem &problem)
     {
       problem.force_given  = true;
       problem.normal_force = hertz.force;
+      const bool   strip   = hertz.B == 0;
+      const double over    = strip ? 3 * M_PI / 8 : 4. / 3; // of the parabola's peak over p0
       problem.pressure     = sampled_distance(problem.grid, [&](const double x, const double y) {
-        const double inside = 1 - x * x / (hertz.a * hertz.a) - y * y / (hertz.b * hertz.b);
-        return inside <= 0 ? 0 : hertz.peak_pressure * (elliptic ? std::sqrt(inside) : 4. / 3 * inside);
+        const double across = y / hertz.b, beside = strip ? (std::abs(across) < 1 ? 0 : 1) : across * across,
+                     inside = 1 - x * x / (hertz.a * hertz.a) - beside;
+        return inside <= 0 ? 0 : hertz.peak_pressure * (elliptic ? std::sqrt(inside) : over * inside);
       });
     }
 
@@ -180,6 +207,10 @@ namespace wheelrail
             return hertz_of_ratio(v[0] / millimetre, v[1], E, load);
           case -3:
             return hertz_of_axes(millimetre * v[0], millimetre * v[1], E, load);
+          case -4:
+            return hertz_of_cylinders(v[0] / millimetre, millimetre * v[1], E, load.value);
+          case -5:
+            return hertz_of_strip(millimetre * v[0], millimetre * v[1], E, load.value);
           default:
             return {};
         }
@@ -232,6 +263,14 @@ namespace wheelrail
     grid.x0 = -last_x;
     grid.y0 = -last_y;
     return grid;
+  }
+
+  std::vector<double>
+  half_turn(std::vector<double> angles)
+  {
+    std::reverse(angles.begin(), angles.end());
+    negate(angles);
+    return angles;
   }
 
   void
@@ -336,6 +375,8 @@ namespace wheelrail
     problem.grid                     = grid_of(one.grid, result.hertz);
     problem.undeformed_distance      = distances(one, problem.grid, result.hertz);
     set_bodies(one, problem);
+    if (d.influence == 4)
+      result.angles = angles_of(one.influence, problem.grid);
     problem.force_given = d.normal == 1;
     if (d.bound == 2 || d.bound == 3)
       give_pressure(*result.hertz, d.bound == 2, problem);
@@ -375,7 +416,10 @@ namespace wheelrail
     add_rigid_slip(one, problem);
     result.turned = !shift && std::cos(one.rolling.direction) < 0;
     if (result.turned)
-      turn_problem(problem);
+      {
+        turn_problem(problem);
+        result.angles = half_turn(result.angles);
+      }
     return result;
   }
 } // namespace wheelrail

@@ -1,5 +1,6 @@
 #include <wheelrail/contactfiles/contact_case.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wheelrail
@@ -10,6 +11,15 @@ namespace wheelrail
     // K of Kalker (1990)
     const double G = 2 / (1 / shear[0] + 1 / shear[1]);
     return std::abs(G * ((1 - 2 * poisson[0]) / shear[0] - (1 - 2 * poisson[1]) / shear[1]) / 4) < 1e-4;
+  }
+
+  int
+  ContactGrid::rows_of_strip() const
+  {
+    if (values.back() <= 1)
+      return my;
+    const int within = std::max(1, int(std::lround(my / values.back())));
+    return within + (my - within) % 2;
   }
 
   std::array<double, 4>

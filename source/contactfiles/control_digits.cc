@@ -104,7 +104,7 @@ namespace wheelrail
          0,
          "influence functions",
          &D::influence,
-         "0= as before; 1= as before; 2 half-space; 3! half-space, bilinear; 4! half-space with angle "
+         "0= as before; 1= as before; 2 half-space; 3! half-space, bilinear; 4 half-space with angle "
          "correction; 9! from a file"},
         {'M',
          2,

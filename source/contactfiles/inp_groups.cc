@@ -29,6 +29,24 @@ namespace wheelrail
     {
       return law == 0 ? "FSTAT FKIN" : law == 6 ? "FREF TREF DFHEAT DTHEAT" : "FKIN F1 SH1 F2 SH2";
     }
+
+    /// Method and variant of C = 4, in module 3 the surface, too.
+    void
+    read_surface(InpWords &words, ContactCase &one)
+    {
+      const InpGroup group = words.group(one.module == 1 ? "#IF_METH #VARIANT" : "#IF_METH #VARIANT #NN");
+      one.influence        = {int(group.values[0]), int(group.values[1]), {}, "", group.line};
+      if (one.module == 3 && group.value(2) < 1)
+        words.fail(group.line, "NN, the number of points of the surface of C = 4, is not positive");
+      for (int k = 0; k < int(group.value(2)); ++k)
+        {
+          const InpGroup pair    = words.group("Y @ALPHA");
+          auto          &surface = one.influence.surface;
+          if (k > 0 && pair.values[0] <= surface.back().first)
+            words.fail(pair.line, "Y of the surface of C = 4 does not ascend");
+          surface.emplace_back(pair.values[0], pair.values[1]);
+        }
+    }
   } // namespace
 
 
@@ -121,15 +139,7 @@ namespace wheelrail
     const ControlDigits &d        = one.digits;
     ContactMaterial     &material = one.material;
     if (one.written.influence == 4)
-      {
-        const InpGroup group = words.group(one.module == 1 ? "#IF_METH #VARIANT" : "#IF_METH #VARIANT #NN");
-        one.influence        = {int(group.values[0]), int(group.values[1]), {}, "", group.line};
-        for (int k = 0; k < int(group.value(2)); ++k)
-          {
-            const InpGroup pair = words.group("Y @ALPHA");
-            one.influence.surface.emplace_back(pair.values[0], pair.values[1]);
-          }
-      }
+      read_surface(words, one);
     if (one.written.influence == 9)
       {
         const InpGroup group = words.group("'CFNAME");

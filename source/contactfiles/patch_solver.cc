@@ -3,6 +3,7 @@
 #include <wheelrail/contactfiles/patch_solver.h>
 #include <wheelrail/contactfiles/solve_cases.h>
 #include <wheelrail/contactfiles/weakened_rows.h>
+#include <wheelrail/halfspace/turned_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,21 @@ namespace wheelrail
             if (x < -0.5 || y < -0.5 || x > patch.mx - 0.5 || y > patch.my - 0.5)
               problem.undeformed_distance[std::size_t(i) + std::size_t(grid.mx) * j] = 1;
           }
+    }
+
+    /// With rows that turn (C = 4), or with divisions between them.
+    HalfspaceSolution
+    solved(const ContactCase                 &one,
+           const HalfspaceProblem            &problem,
+           const std::vector<RowDivision>    &divisions,
+           const std::vector<double>         &angles,
+           std::shared_ptr<HalfspaceKernels> &kernels,
+           const HalfspaceSolution           *guess)
+    {
+      if (one.digits.influence == 4)
+        return solve_turned(problem, angles, one.iteration.maxout, kernels, guess);
+      return divisions.empty() ? solve_rolling(problem, kernels, guess)
+                               : solve_weakened(problem, divisions, kernels, guess);
     }
   } // namespace
 
@@ -139,8 +155,8 @@ namespace wheelrail
           d.place = -d.place;
         std::reverse(divisions.begin(), divisions.end());
       }
-    patch.solution = divisions.empty() ? solve_rolling(problem, kernels, guess)
-                                       : solve_weakened(problem, divisions, kernels, guess);
+    patch.solution =
+      solved(one_, problem, divisions, patch.backwards ? half_turn(rows.angle) : rows.angle, kernels, guess);
     if (patch.backwards)
       turn_solution(patch.solution);
     if (problem.max_coupling_rounds == 1 && patch.solution.normal_converged &&
@@ -183,7 +199,8 @@ namespace wheelrail
     patch.arc      = place.arc;
     if (transient_)
       {
-        patch.origin_x = shift_ ? millimetre * one_.wheelset.position[0] + place.reference[0] : 0;
+        // shifts leave the grid on the rail, rolling takes it along
+        patch.origin_x = place.reference[0] + (shift_ ? millimetre * one_.wheelset.position[0] : 0);
         patch.origin_y = patch.arc;
       }
   }
@@ -270,7 +287,7 @@ namespace wheelrail
         HalfspaceSolution state = old.solution;
         if (old.origin_x == 0 && old.origin_y == 0) // of steady rolling: to the fixed grid
           {
-            const double x = shift_ ? before_->along + old.in_track[0] : 0;
+            const double x = old.in_track[0] + (shift_ ? before_->along : 0);
             state.grid.x0 += std::round(x / grid.dx) * grid.dx;
             state.grid.y0 += std::round(old.arc / grid.dy) * grid.dy;
           }
@@ -289,6 +306,8 @@ namespace wheelrail
           }
         for (std::size_t e = 0; e < moved.pressure.size(); ++e)
           {
+            if (moved.pressure[e] > 0)
+              sum.friction[e] = moved.friction[e];
             sum.pressure[e] += moved.pressure[e];
             sum.traction_x[e] += moved.traction_x[e];
             sum.traction_y[e] += moved.traction_y[e];

@@ -2,6 +2,7 @@
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/solve_cases.h>
+#include <wheelrail/halfspace/turned_rows.h>
 #include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>
@@ -56,10 +57,11 @@ namespace wheelrail
     const int         up    = int(std::lround((grid.y0 - state.grid.y0) / grid.dy));
     HalfspaceSolution moved;
     moved.grid = grid;
-    const std::array<std::pair<std::vector<double> *, const std::vector<double> *>, 6> fields{
+    const std::array<std::pair<std::vector<double> *, const std::vector<double> *>, 7> fields{
       {{&moved.pressure, &state.pressure},
        {&moved.traction_x, &state.traction_x},
        {&moved.traction_y, &state.traction_y},
+       {&moved.friction, &state.friction},
        {&moved.yield_stress, &state.yield_stress},
        {&moved.plastic_x, &state.plastic_x},
        {&moved.plastic_y, &state.plastic_y}}};
@@ -98,7 +100,10 @@ namespace wheelrail
     if (warm)
       guess = in_axes(*state.last);
     const auto solve = [&](const HalfspaceProblem &asked) {
-      return solve_rolling(asked, state.kernels, warm ? &guess : nullptr);
+      const HalfspaceSolution *const start = warm ? &guess : nullptr;
+      return task.angles.empty()
+               ? solve_rolling(asked, state.kernels, start)
+               : solve_turned(asked, task.angles, one.iteration.maxout, state.kernels, start);
     };
     if (!problem.force_given && problem.longitudinal_force_given)
       {
@@ -143,7 +148,7 @@ namespace wheelrail
 
   namespace
   {
-    /// Whether a step is longer than an element: CONTACT then corrects what comes into contact within it.
+    /// Whether a step is longer than an element.
     bool
     takes_several_elements(const ContactCase &one)
     {
@@ -223,11 +228,12 @@ namespace wheelrail
       result.refused.push_back(
         place(one.file, one.line) +
         "the case goes on from one before that is not computed; taken are cases with P = 2");
-    if (result.refused.empty() && takes_several_elements(one))
+    if (result.refused.empty() && (one.digits.law != 0 || one.digits.material == 4) &&
+        takes_several_elements(one))
       result.refused.push_back(
         place(one.file, one.module == 1 ? one.elements.line : one.rolling.line) +
-        "DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 "
-        "without G = 2");
+        "DQ > DX (steps of several elements) with L = " + std::to_string(one.digits.law) + " and M = " +
+        std::to_string(one.digits.material) + " is not computed; taken are DQ = DX, and L = 0 with M = 0");
     if (result.refused.empty() && one.digits.after < 2)
       try
         {

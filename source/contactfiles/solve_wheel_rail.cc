@@ -107,6 +107,10 @@ namespace wheelrail
               result.refused =
                 "a wheel that rolls backwards with T = 2 is not computed; taken are T = 3, and forward "
                 "rolling";
+            if (one_.digits.influence == 4 && !places[k].divisions.empty())
+              result.refused =
+                "C = 4 (angle correction) of overlaps nearer than D_SEP that make one patch is not "
+                "computed; taken are single ones, D_COMB = D_SEP";
             result.not_reached += result.patches.back().solution.not_reached;
           }
         return result;

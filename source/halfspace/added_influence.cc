@@ -35,7 +35,7 @@ namespace wheelrail
   } // namespace
 
 
-  struct AddedInfluence::Body
+  struct RowsInfluence::Body
   {
     int rows  = 0;
     int modes = 0; ///< the first ones, behind which nothing is left
@@ -46,7 +46,7 @@ namespace wheelrail
 
 
   /// FFT of one row along x.
-  struct AddedInfluence::Plans
+  struct RowsInfluence::Plans
   {
     explicit Plans(const int length)
       : real(length)
@@ -71,7 +71,7 @@ namespace wheelrail
 
 
   std::vector<double>
-  AddedInfluence::lags(const HalfspaceGrid &grid, const double ahead)
+  RowsInfluence::lags(const HalfspaceGrid &grid, const double ahead)
   {
     std::vector<double> lags;
     for (int i = -grid.mx; i <= grid.mx; ++i)
@@ -80,7 +80,7 @@ namespace wheelrail
   }
 
 
-  AddedInfluence::AddedInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases)
+  RowsInfluence::RowsInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases)
     : grid_(grid)
     , bases_(std::move(bases))
     // lags from -mx to mx, and at least mx free ones over which the influence is closed smoothly: cyclic
@@ -92,13 +92,13 @@ namespace wheelrail
   }
 
 
-  AddedInfluence::~AddedInfluence() = default;
+  RowsInfluence::~RowsInfluence() = default;
 
 
   /// Lags that no two elements have are free: a cubic from one end of the others to the next, in value and
   /// slope, leaves a smooth influence no short modes.
   void
-  AddedInfluence::close_gap()
+  RowsInfluence::close_gap()
   {
     std::vector<double> &f    = plans_->real;
     const int            last = grid_.mx, first = length_ - grid_.mx, gap = first - last;
@@ -114,14 +114,14 @@ namespace wheelrail
 
 
   void
-  AddedInfluence::set_bases(const std::vector<Basis> &bases)
+  RowsInfluence::set_bases(const std::vector<Basis> &bases)
   {
     bases_ = bases;
   }
 
 
   void
-  AddedInfluence::add_body(const RowInfluence &here, const RowInfluence &ahead, const double step)
+  RowsInfluence::add_body(const RowInfluence &here, const RowInfluence &ahead, const double step)
   {
     constexpr double nothing = 1e-6; // of the largest mode of the displacements
     const int        n       = 3 * here.rows;
@@ -165,7 +165,7 @@ namespace wheelrail
 
 
   std::vector<Complex>
-  AddedInfluence::row_forces(const Body &body, const Given &traction) const
+  RowsInfluence::row_forces(const Body &body, const Given &traction) const
   {
     const int            n = 3 * body.rows, mx = grid_.mx;
     std::vector<Complex> spectra(std::size_t(body.modes) * n);
@@ -209,9 +209,9 @@ namespace wheelrail
 
 
   std::vector<double>
-  AddedInfluence::row_displacements(const Body                 &body,
-                                    const std::vector<Complex> &kernel,
-                                    const std::vector<Complex> &forces) const
+  RowsInfluence::row_displacements(const Body                 &body,
+                                   const std::vector<Complex> &kernel,
+                                   const std::vector<Complex> &forces) const
   {
     const int            n = 3 * body.rows;
     std::vector<Complex> image(std::size_t(body.modes) * n);
@@ -247,7 +247,7 @@ namespace wheelrail
 
 
   std::array<std::vector<double>, 3>
-  AddedInfluence::fixed_displacement(const unsigned int body_number, const Given &traction) const
+  RowsInfluence::fixed_displacement(const unsigned int body_number, const Given &traction) const
   {
     const Body                        &body = bodies_[body_number];
     const int                          mx   = grid_.mx;
@@ -268,7 +268,7 @@ namespace wheelrail
 
 
   void
-  AddedInfluence::add(const bool slip, const Given &traction, const Fields &result) const
+  RowsInfluence::add(const bool slip, const Given &traction, const Fields &result) const
   {
     const int mx = grid_.mx;
     for (const Body &body : bodies_)
@@ -294,14 +294,14 @@ namespace wheelrail
 
 
   void
-  AddedInfluence::add_displacement(const Given &traction, const Fields &displacement) const
+  RowsInfluence::add_displacement(const Given &traction, const Fields &displacement) const
   {
     add(false, traction, displacement);
   }
 
 
   void
-  AddedInfluence::add_slip(const Given &traction, const Fields &slip) const
+  RowsInfluence::add_slip(const Given &traction, const Fields &slip) const
   {
     add(true, traction, slip);
   }

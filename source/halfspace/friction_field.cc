@@ -43,15 +43,24 @@ namespace wheelrail
                  const std::vector<double> &pressure,
                  const std::vector<double> &temperature)
   {
-    const HalfspaceGrid &grid = problem.grid;
-    std::vector<double>  friction(grid.size());
+    const HalfspaceGrid           &grid   = problem.grid;
+    const HalfspaceSolution *const before = problem.previous;
+    const bool                     steady = problem.motion == HalfspaceMotion::steady,
+               goes_on                    = before && before->friction.size() == std::size_t(grid.size());
+    const int           from              = problem.motion == HalfspaceMotion::shift ? 0 : 1;
+    std::vector<double> friction(grid.size());
     for (int j = 0; j < grid.my; ++j)
       for (int i = grid.mx - 1; i >= 0; --i) // the path of the particles
         {
           const int e = i + grid.mx * j;
-          // particles run in at the leading edge with the coefficient at rest and go towards -x
-          const bool   inside   = i + 1 < grid.mx && pressure[e + 1] > 0;
-          const double ahead    = inside ? friction[e + 1] : problem.friction_of_row(j).at(0);
+          // particles run in at the leading edge with the coefficient at rest and go towards -x; a step
+          // brings that of the state before, a shift leaves them where they are
+          const bool within = i + from < grid.mx;
+          double     ahead  = problem.friction_of_row(j).at(0);
+          if (steady && within && pressure[e + 1] > 0)
+            ahead = friction[e + 1];
+          else if (!steady && goes_on && within && before->pressure[e + from] > 0)
+            ahead = before->friction[e + from];
           const double velocity = problem.velocity * std::hypot(slip[0][e], slip[1][e]);
           const bool   hot      = !temperature.empty();
           const double law =

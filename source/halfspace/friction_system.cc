@@ -69,6 +69,14 @@ namespace wheelrail
     apply(kernels_.xx, kernels_.xy, kernels_.yy, work_, image_);
     if (task_.added)
       task_.added->add_slip({{&work_[0], &work_[1], nullptr}}, {{&image_[0], &image_[1], nullptr}});
+    // s = w + (u - u at the leading edge)/(share dq) (Vollebregt 2009); that of the state before is in w
+    VectorField u; // over dq
+    if (task_.displacement && !task_.run_in.empty())
+      apply(task_.displacement->xx, task_.displacement->xy, task_.displacement->yy, work_, u);
+    for (const RunIn &r : task_.run_in)
+      for (int d = 0; d < 2; ++d)
+        image_[d][r.element] =
+          (task_.displacement ? u[d][r.element] - u[d][r.edge] : image_[d][r.element]) / r.share;
   }
 
   void

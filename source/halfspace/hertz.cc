@@ -88,6 +88,19 @@ namespace wheelrail
   }
 
   HertzContact
+  hertz_of_cylinders(const double A, const double b, const double modulus, const double force)
+  {
+    // a^2 = 4 F' R/(pi E*), F' = F/2b, R = 1/2A
+    return hertz_of_strip(std::sqrt(force / (M_PI * b * A * modulus)), b, modulus, force);
+  }
+
+  HertzContact
+  hertz_of_strip(const double a, const double b, const double modulus, const double force)
+  {
+    return {a, b, force / (M_PI * a * a * b * modulus), 0, force, 0, force / (M_PI * a * b)};
+  }
+
+  HertzContact
   hertz_of_curvatures(const double A, const double B, const double modulus, const HertzLoad &load)
   {
     // the ratio of the axes has that of the curvatures; bisection of its logarithm

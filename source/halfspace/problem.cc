@@ -76,9 +76,6 @@ namespace wheelrail
       refuse(
         "the memory length of friction and the compliance of a layer must not be negative, the least "
         "speed of the memory must be positive.");
-    if (problem.memory_length > 0 && problem.motion != HalfspaceMotion::steady &&
-        problem.motion != HalfspaceMotion::none)
-      refuse("friction has a memory in steady rolling only.");
     if (problem.heat && !(problem.heat->effusivity[0] > 0 && problem.heat->effusivity[1] > 0))
       refuse("bodies that take up heat need a positive effusivity.");
     if (!problem.hot_friction.empty() &&

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <memory>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -91,8 +92,11 @@ namespace wheelrail
       /// False when the friction of this round does not carry the force asked for.
       bool
       tangential_problem();
+      /// Elements that ran in within a step of several.
+      std::vector<RunIn>
+      run_in() const;
       VectorField
-      rigid_slip();
+      rigid_slip(const std::vector<RunIn> &run_in);
       /// Sets the coefficients to the slip of the last round; the largest change over the larger coefficient
       /// of the law.
       double
@@ -115,6 +119,7 @@ namespace wheelrail
       NormalContact           normal_;
       TangentialState         tangential_;
       std::vector<double>     mu_;
+      SlipKernels             displacement_; ///< of steps of several elements in steady rolling: A / step
       double                  weight_ = 0.5, last_change_ = 0; ///< of the steps of the coefficients
       HalfspaceSolution       solution_;
     };
@@ -181,8 +186,27 @@ namespace wheelrail
       solution_.normal_iterations += normal_.iterations;
     }
 
+    std::vector<RunIn>
+    Solver::run_in() const
+    {
+      std::vector<RunIn> found;
+      if (problem_.motion == HalfspaceMotion::shift || problem_.simplified ||
+          solution_.step < 1.001 * grid_.dx)
+        return found;
+      for (int j = 0; j < grid_.my; ++j)
+        for (int i = grid_.mx - 1, edge = -1; i >= 0; --i)
+          {
+            const int e = i + grid_.mx * j;
+            if (!(normal_.pressure[e] > 0))
+              edge = e;
+            else if (edge >= 0 && i + 2 < grid_.mx && (edge - e) * grid_.dx < 0.9999 * solution_.step)
+              found.push_back({e, edge, (edge - e) * grid_.dx / solution_.step});
+          }
+      return found;
+    }
+
     VectorField
-    Solver::rigid_slip()
+    Solver::rigid_slip(const std::vector<RunIn> &run_in)
     {
       VectorField  w;
       const double ahead =
@@ -205,24 +229,38 @@ namespace wheelrail
       const bool   steady   = problem_.motion == HalfspaceMotion::steady;
       for (int d = 0; d < 2; ++d)
         {
+          std::vector<double> now(w[d].size(), 0.), before = now, edge = now;
           if (coupled_)
             {
               // unlike materials: slip of the pressure, (u(p) - u'(p))/dq with u_x = A_xn p, u_y = A_yn p
-              add_displacement(d, 2, 0, normal_.pressure, per_step, w[d]);
+              add_displacement(d, 2, 0, normal_.pressure, per_step, now);
               if (steady)
-                add_displacement(d, 2, offset_, normal_.pressure, -per_step, w[d]);
+                add_displacement(d, 2, offset_, normal_.pressure, per_step, before);
             }
           if (steady && problem_.added)
             problem_.added->add_slip({{nullptr, nullptr, &normal_.pressure}},
                                      {{d == 0 ? &w[0] : nullptr, d == 1 ? &w[1] : nullptr, nullptr}});
-          if (steady || !problem_.previous)
-            continue;
-          // shift and transient rolling: -u'/dq of the state before, moved on by dq
-          const HalfspaceSolution &old = *problem_.previous;
-          add_displacement(d, 0, offset_, old.traction_x, -per_step, w[d]);
-          add_displacement(d, 1, offset_, old.traction_y, -per_step, w[d]);
-          if (coupled_)
-            add_displacement(d, 2, offset_, old.pressure, -per_step, w[d]);
+          if (!steady && problem_.previous)
+            {
+              // shift and transient rolling: -u'/dq of the state before, moved on by dq; what runs in has
+              // that of the leading edge, as CONTACT takes it
+              const HalfspaceSolution &old = *problem_.previous;
+              for (const auto &[ahead, u] : {std::pair{offset_, &before}, std::pair{0., &edge}})
+                {
+                  if (u == &edge && run_in.empty())
+                    continue;
+                  add_displacement(d, 0, ahead, old.traction_x, per_step, *u);
+                  add_displacement(d, 1, ahead, old.traction_y, per_step, *u);
+                  if (coupled_)
+                    add_displacement(d, 2, ahead, old.pressure, per_step, *u);
+                }
+            }
+          const std::vector<double> rigid = w[d];
+          for (std::size_t e = 0; e < rigid.size(); ++e)
+            w[d][e] += now[e] - before[e];
+          for (const RunIn &r : run_in)
+            w[d][r.element] =
+              rigid[r.element] + (now[r.element] - (steady ? now : edge)[std::size_t(r.edge)]) / r.share;
         }
       return w;
     }
@@ -233,17 +271,22 @@ namespace wheelrail
       TangentialTask task;
       if (!problem_.simplified)
         task.kernels = &kernels_.slip(solution_.step, problem_.motion == HalfspaceMotion::steady);
-      task.added       = problem_.added.get();
-      task.grid        = grid_;
-      task.rigid_slip  = rigid_slip();
-      task.force_given = {{problem_.longitudinal_force_given, problem_.lateral_force_given}};
-      task.force       = {{problem_.fx, problem_.fy}};
-      task.tolerance   = problem_.tangential_tolerance;
-      task.max_steps   = problem_.max_newton_steps;
-      task.yield       = brought_yield(problem_);
-      task.hardening   = problem_.layer_hardening * solution_.step;
-      task.least_yield = 0.1 * problem_.layer_yield;
-      task.carried     = problem_.motion == HalfspaceMotion::steady;
+      task.added        = problem_.added.get();
+      task.grid         = grid_;
+      task.run_in       = run_in();
+      task.rigid_slip   = rigid_slip(task.run_in);
+      const bool steady = problem_.motion == HalfspaceMotion::steady;
+      if (steady && !task.run_in.empty() && displacement_.xx.empty())
+        displacement_ = slip_kernels(products_, kernels_.constants(), grid_, solution_.step, false);
+      task.displacement = steady ? &displacement_ : nullptr;
+      task.force_given  = {{problem_.longitudinal_force_given, problem_.lateral_force_given}};
+      task.force        = {{problem_.fx, problem_.fy}};
+      task.tolerance    = problem_.tangential_tolerance;
+      task.max_steps    = problem_.max_newton_steps;
+      task.yield        = brought_yield(problem_);
+      task.hardening    = problem_.layer_hardening * solution_.step;
+      task.least_yield  = 0.1 * problem_.layer_yield;
+      task.carried      = problem_.motion == HalfspaceMotion::steady;
       task.bound.resize(grid_.size());
       double limit = 0;
       for (std::size_t e = 0; e < task.bound.size(); ++e)

@@ -108,12 +108,12 @@ namespace wheelrail
     vertical_load(const WheelRailLoad &load) const;
 
     /// Of the solution: along x and y, pressure.
-    AddedInfluence::Given
+    RowsInfluence::Given
     tractions() const;
 
     /// How much the wheel's surface is moved upwards, by tractions and by turning [m].
     std::vector<double>
-    wheel_rise(const AddedInfluence::Given &tractions) const;
+    wheel_rise(const RowsInfluence::Given &tractions) const;
 
     /// The same under the pressure of the solution.
     double
@@ -148,7 +148,7 @@ namespace wheelrail
 
     std::array<ContactRows, 2> contact_rows_; ///< of the tables of rail and wheel
 
-    std::shared_ptr<AddedInfluence>   added_;
+    std::shared_ptr<RowsInfluence>    added_;
     std::shared_ptr<HalfspaceKernels> kernels_, wheel_kernels_;
     int                               enlargements_ = 0, rounds_ = 0;
   };

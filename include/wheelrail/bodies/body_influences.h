@@ -4,7 +4,7 @@
 
 namespace wheelrail
 {
-  /// A body's influences as AddedInfluence::add_body() takes them.
+  /// A body's influences as RowsInfluence::add_body() takes them.
   struct BodyInfluences
   {
     RowInfluence here, ahead; ///< of displacements, and of those seen a step further along x

@@ -22,15 +22,15 @@ namespace wheelrail
   /// Both bodies under the rows of a contact: rail, wheel.
   struct PlacedBodies
   {
-    std::vector<AddedInfluence::Basis> bases; ///< of the rows
-    std::array<BodyPlacement, 2>       placements;
-    std::array<ContactRows, 2>         rows; ///< of their tables
-    std::array<BodyInfluences, 2>      influences;
+    std::vector<RowsInfluence::Basis> bases; ///< of the rows
+    std::array<BodyPlacement, 2>      placements;
+    std::array<ContactRows, 2>        rows; ///< of their tables
+    std::array<BodyInfluences, 2>     influences;
   };
 
-  /// The directions of AddedInfluence at a row inclined by `angle`: x along the track, y along the surface,
+  /// The directions of RowsInfluence at a row inclined by `angle`: x along the track, y along the surface,
   /// n into the rail.
-  AddedInfluence::Basis
+  RowsInfluence::Basis
   row_basis(double angle);
 
   /// Throws RunError as contact_rows() does.
@@ -42,6 +42,6 @@ namespace wheelrail
                double                        step);
 
   /// What both deflect beyond half-spaces, for the grid and the step that they were placed under.
-  std::shared_ptr<AddedInfluence>
+  std::shared_ptr<RowsInfluence>
   added_influence(const PlacedBodies &placed, const HalfspaceGrid &grid, double step);
 } // namespace wheelrail

@@ -18,7 +18,8 @@ namespace wheelrail
     /// FX, FY over `friction` (FSTAT; 1 where friction differs from row to row) times the normal force, where
     /// that is to be found first (N = 0, F >= 1).
     double                      relative_x = 0, relative_y = 0, friction = 1;
-    std::optional<HertzContact> hertz; ///< of IPOTCN < 0
+    std::optional<HertzContact> hertz;  ///< of IPOTCN < 0
+    std::vector<double>         angles; ///< of the surface in each row of the grid (C = 4), or empty [rad]
   };
 
   /// The problem of a case of module 3 without refusals(), in SI units, with the signs of CONTACT, which are
@@ -43,6 +44,10 @@ namespace wheelrail
   /// Turns a problem by half a turn about the normal through (0, 0): rolling along -x becomes one along x.
   void
   turn_problem(HalfspaceProblem &problem);
+
+  /// Angles of rows [rad] so turned.
+  std::vector<double>
+  half_turn(std::vector<double> angles);
 
   /// A grid after half a turn about the normal through (0, 0).
   HalfspaceGrid

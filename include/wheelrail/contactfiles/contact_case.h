@@ -142,6 +142,10 @@ namespace wheelrail
     std::vector<double> values;
     unsigned int        line = 0;
 
+    /// Rows within the strip of IPOTCN = -4 and -5, whose half width they divide; the others lie beside it.
+    int
+    rows_of_strip() const;
+
     /// Corner x, y of the grid and element lengths dx, dy [mm], of IPOTCN > 0.
     std::array<double, 4>
     corner() const;

@@ -22,11 +22,30 @@ namespace wheelrail
     std::vector<double> by_lag;
   };
 
-  /// Displacement differences that come to those of two half-spaces, because the bodies are not half-spaces:
-  /// forces of the elements are gathered on the rows, the rows' influences act by FFT along x, and what comes
-  /// of it is interpolated to the elements again. Symmetric, as influences of elastic bodies are. Modes along
-  /// x that hold less than 1e-6 of the largest one are left out: smooth influences have some twenty.
+  /// Displacement differences that come to those of two half-spaces, because the bodies are not half-spaces.
+  /// That of the normal displacement under pressure is symmetric.
   class AddedInfluence
+  {
+  public:
+    virtual ~AddedInfluence() = default;
+
+    using Fields = std::array<std::vector<double> *, 3>;
+    using Given  = std::array<const std::vector<double> *, 3>;
+
+    /// Adds displacements (x, y, n) under tractions (x, y, n) on body 1; null pointers leave components out.
+    virtual void
+    add_displacement(const Given &traction, const Fields &displacement) const = 0;
+
+    /// Adds the slip in steady rolling, (u - u ahead) / step.
+    virtual void
+    add_slip(const Given &traction, const Fields &slip) const = 0;
+  };
+
+  /// That of bodies by a few rows of their surface: forces of the elements are gathered on the rows, the
+  /// rows' influences act by FFT along x, and what comes of it is interpolated to the elements again.
+  /// Symmetric, as influences of elastic bodies are. Modes along x that hold less than 1e-6 of the largest
+  /// one are left out: smooth influences have some twenty.
+  class RowsInfluence : public AddedInfluence
   {
   public:
     /// Directions x, y, n of the contact frame at a row of elements in the fixed axes: value at 3 * axis +
@@ -37,8 +56,8 @@ namespace wheelrail
     static std::vector<double>
     lags(const HalfspaceGrid &grid, double ahead);
 
-    AddedInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases);
-    ~AddedInfluence();
+    RowsInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases);
+    ~RowsInfluence() override;
 
     /// Other directions of the rows, for surfaces that turn under the load.
     void
@@ -48,16 +67,10 @@ namespace wheelrail
     void
     add_body(const RowInfluence &here, const RowInfluence &ahead, double step);
 
-    using Fields = std::array<std::vector<double> *, 3>;
-    using Given  = std::array<const std::vector<double> *, 3>;
-
-    /// Adds displacements (x, y, n) under tractions (x, y, n) on body 1; null pointers leave components out.
     void
-    add_displacement(const Given &traction, const Fields &displacement) const;
-
-    /// Adds the slip in steady rolling, (u - u ahead) / step.
+    add_displacement(const Given &traction, const Fields &displacement) const override;
     void
-    add_slip(const Given &traction, const Fields &slip) const;
+    add_slip(const Given &traction, const Fields &slip) const override;
 
     /// Displacement of one body along the fixed axes under the tractions, for each element [m].
     std::array<std::vector<double>, 3>

@@ -23,7 +23,7 @@ namespace wheelrail
 
   /// Friction coefficient of each element under a slip [-] and at the temperature of body 1 (empty: none):
   /// that of the law or, with a memory, what particles have come to that run through the row from its leading
-  /// edge on, each element in the time of one step [m] and with one slip.
+  /// edge on, each element in the time of one step [m] and with one slip; from the state before one step.
   std::vector<double>
   friction_field(const HalfspaceProblem    &problem,
                  double                     step,

@@ -31,6 +31,14 @@ namespace wheelrail
   HertzContact
   hertz_of_curvatures(double A, double B, double modulus, const HertzLoad &load);
 
+  /// Contact of cylinders along y, |y| <= b, under a force (Johnson 1985, section 4.2(c)): the undeformed
+  /// distance A x^2, B = 0, the pressure p0 sqrt(1 - x^2 / a^2); its approach, of no end, is 0. By the half
+  /// curvature A or the half length a.
+  HertzContact
+  hertz_of_cylinders(double A, double b, double modulus, double force);
+  HertzContact
+  hertz_of_strip(double a, double b, double modulus, double force);
+
   /// The contact of a given half curvature along x and ratio a / b.
   HertzContact
   hertz_of_ratio(double A, double ratio, double modulus, const HertzLoad &load);

@@ -113,9 +113,9 @@ namespace wheelrail
     /// Of each row of the grid, where friction differs across; empty: the one above.
     std::vector<FrictionLaw> row_friction;
     double velocity = 1; ///< of rolling [m/s]; for a shift: distance unit per second; for the law
-    /// Slip distance over which the coefficient comes to what the law has at the slip velocity v [m], in
-    /// steady rolling: d mu / dt = -max(v, v_0) / memory_length (mu - mu(v)); what runs in has the
-    /// coefficient at rest (Vollebregt and Schuttelaars 2012). 0: at once.
+    /// Slip distance over which the coefficient comes to what the law has at the slip velocity v [m]:
+    /// d mu / dt = -max(v, v_0) / memory_length (mu - mu(v)); what runs in, or did not touch before a step,
+    /// has the coefficient at rest (Vollebregt and Schuttelaars 2012). 0: at once.
     double memory_length      = 0;
     double memory_least_speed = 1e-3; ///< v_0 [m/s]
     /// Heat of friction in steady rolling: the temperatures of the surfaces are found. `hot_friction`, of

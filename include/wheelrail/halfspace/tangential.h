@@ -10,6 +10,14 @@ namespace wheelrail
   /// (x, y) parts of a vector field on the grid.
   using VectorField = std::array<std::vector<double>, 2>;
 
+  /// An element that ran into the contact within a step longer than itself, the one before the leading edge
+  /// of its row, and the share of the step that it took part in.
+  struct RunIn
+  {
+    int    element = 0, edge = 0;
+    double share = 1;
+  };
+
   /// What is asked of the tangential problem: |t| <= bound, s = 0 where |t| < bound, else t = -bound s / |s|.
   struct TangentialTask
   {
@@ -18,6 +26,9 @@ namespace wheelrail
     HalfspaceGrid         grid;
     std::vector<double>   bound;      ///< mu p [Pa]; the contact is where it is positive
     VectorField           rigid_slip; ///< without the creepages below [-]
+    /// Their slip counts from the leading edge on, over the share of the step.
+    std::vector<RunIn>    run_in;
+    const SlipKernels    *displacement = nullptr; ///< in steady rolling: A / step
     std::array<bool, 2>   force_given{{false, false}};
     std::array<double, 2> force{{0, 0}}; ///< [N]
     double                tolerance = 1e-5;
