@@ -8,6 +8,7 @@
 
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
+#include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/contactfiles/solve_cases.h>
 
 #include <algorithm>
@@ -112,6 +113,38 @@ namespace
     check_relative(l.solution.pressure[f], r.solution.pressure[e], 1e-4, "left: rows in a mirror");
   }
 
+  /// A wheel that stands still is pressed alone.
+  void
+  test_at_rest(ContactCase one)
+  {
+    for (double &speed : one.wheelset.velocity)
+      speed = 0;
+    const WheelRailCase rest    = *solve_cases({one}).front().wheel_rail;
+    one.digits.motion           = 0;
+    const WheelRailCase pressed = *solve_cases({one}).front().wheel_rail;
+    check(rest.not_reached.empty() && rest.patches.size() == 1, "at rest: solved");
+    check_relative(rest.force_track[2], pressed.force_track[2], 1e-6, "at rest: force");
+    check_near(rest.patches.at(0).solution.fx, 0, 1e-9, "at rest: no force along");
+  }
+
+  /// Discs without flange in two columns, z down and up: both ends rise from the middle; a flange hangs down.
+  void
+  test_orientation()
+  {
+    const auto middle_below = [](const std::string &lines) {
+      std::ofstream("some.csv") << lines;
+      ContactProfile profile;
+      profile.file      = "some.csv";
+      const auto points = section_points(profile, true);
+      return points[1].y > points[0].y && points[2].y > points[3].y;
+    };
+    check(middle_below("-10 -1.4\n-3 0\n3 0\n10 -1.9\n"), "a disc, z down");
+    check(middle_below("-10 1.4\n-3 0\n3 0\n10 1.9\n"), "a disc, z up");
+    const auto flange_below = [&](const std::string &lines) { return !middle_below(lines); };
+    check(flange_below("-60 28\n-40 5\n0 0\n40 1\n") && flange_below("-60 -28\n-40 -5\n0 0\n40 -1\n"),
+          "a flange, hollow worn, z down and up");
+  }
+
   /// The sentence on the first case of the file with something replaced.
   std::string
   refusal(const std::string &from, const std::string &to)
@@ -174,6 +207,8 @@ main()
                            "         240.0      -37.65      -23.54       73.24   1.624E-02  -2.679E-02\n",
                            "     SPINXO      SPINYO\n        0.1303       8.721\n"})
     check(printed.find(part) != std::string::npos, std::string("printed: ") + part);
+  test_at_rest(cases[0]);
+  test_orientation();
   test_refusals();
   return test::report();
 }

@@ -202,9 +202,11 @@ namespace wheelrail
     PatchCreepages found;
     found.velocity  = shift ? 1 : 0.5 * (std::abs(forward) + std::abs(rolling));
     found.backwards = !shift && !(std::abs(forward) >= std::abs(rolling) ? forward >= 0 : rolling <= 0);
-    found.x         = slip[0] / found.velocity;
-    found.y         = slip[1] / found.velocity;
-    found.spin      = turn[2] / found.velocity;
+    if (found.velocity == 0 && norm(slip) == 0 && turn[2] == 0) // at rest
+      return found;
+    found.x    = slip[0] / found.velocity;
+    found.y    = slip[1] / found.velocity;
+    found.spin = turn[2] / found.velocity;
     return found;
   }
 

@@ -227,7 +227,8 @@ namespace wheelrail
     problem.motion                 = shift_       ? HalfspaceMotion::shift
                                      : transient_ ? HalfspaceMotion::transient
                                                   : HalfspaceMotion::steady;
-    problem.velocity               = creepages.velocity;
+    const bool at_rest             = creepages.velocity == 0 && creepages.x == 0; // any velocity will do
+    problem.velocity               = at_rest ? 1 : creepages.velocity;
     // creepages count at the contact reference, those of the problem at its origin
     problem.xi  = creepages.x + creepages.spin * patch.origin_y;
     problem.eta = creepages.y - creepages.spin * patch.origin_x;

@@ -230,7 +230,10 @@ namespace wheelrail
           low  = std::min(low, p.position.y);
           high = std::max(high, p.position.y);
         }
-      return high - middle < middle - low;
+      const double rises = high - middle, hangs = middle - low, most = std::max(rises, hangs);
+      if (std::min(rises, hangs) < 0.05 * most && std::abs(first - last) < 0.5 * most)
+        return rises > hangs; // a disc without flange, from whose middle both ends rise
+      return rises < hangs;
     }
   } // namespace
 
