@@ -191,7 +191,9 @@ namespace
     write("tread.prw", 10, 1);
     for (const auto &row : test::read_table("contact_groove.csv"))
       {
-        const bool        flat = row[0] == "half-space";
+        const bool flat = row[0] == "half-space";
+        if (!flat && row[1] == "10.05") // takes 3 s
+          continue;
         const std::string name = row[0] + ", groove of " + row[1] + " mm: ";
         write("groove.prr", std::stod(row[1]), 1);
         Parts p;

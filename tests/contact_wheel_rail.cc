@@ -125,6 +125,13 @@ namespace
     check(rest.not_reached.empty() && rest.patches.size() == 1, "at rest: solved");
     check_relative(rest.force_track[2], pressed.force_track[2], 1e-6, "at rest: force");
     check_near(rest.patches.at(0).solution.fx, 0, 1e-9, "at rest: no force along");
+    one.digits.motion        = 3;
+    one.wheelset.velocity[1] = 1; // across alone
+    test::check_text(
+      solve_cases({one}).front().refused.at(0),
+      "ball.inp:6: Half-space problem: friction coefficients, their decay and the step must not be "
+      "negative, velocity and half velocity must be positive.",
+      "it slides across without rolling");
   }
 
   /// Discs without flange in two columns, z down and up: both ends rise from the middle; a flange hangs down.

@@ -239,9 +239,11 @@ namespace wheelrail
         {
           solve_on(one, goes_on, state, result);
         }
-      catch (const InputError &error) // of a profile
+      catch (const InputError &error) // of a profile, which it names, or of the half-spaces
         {
-          result.refused.emplace_back(error.what());
+          const std::string said = error.what();
+          result.refused.push_back((said.rfind("Half-space", 0) == 0 ? place(one.file, one.line) : "") +
+                                   said);
         }
     state.known = (state.known || !goes_on) && result.refused.empty();
     return result;
