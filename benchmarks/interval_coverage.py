@@ -128,7 +128,7 @@ def noise(program, seed):
     if not exact:
         return {}
     noisy(draw, path, deviation)
-    own, _ = contact(program, scene, "half-spaces", options + as_options({"Profiles/Rail": path}))
+    own, _ = contact(program, scene, "half-spaces", [option.replace(clean, path) for option in options])
     truth = {key: exact.get(key) for key in RESULTS}
     return {"half-spaces": {"own": chosen(own, scene[:-4] + "-halfspace"), "truth": truth}} if own else {}
 

@@ -3,10 +3,12 @@
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/sampling/creep_scale.h>
+#include <wheelrail/verdict/rules.h>
 #include <wheelrail/wheel/contact_intervals.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,8 +57,11 @@ namespace wheelrail
                                    "first_rail_force",
                                    "second_rail_force",
                                    "impact_factor",
+                                   "largest_pad_force",
+                                   "largest_pad_pull",
                                    "largest_pressure"};
     const Names of_first_order  = {"lateral_force",
+                                   "least_vertical_force",
                                    "t_gamma",
                                    "frictional_power",
                                    "stick_fraction",
@@ -81,14 +86,29 @@ namespace wheelrail
       });
     }
 
-    template <typename Predicate>
-    void
-    remove_results(Contributions &contributions, const Predicate &gone)
+    CreepScale
+    scale_of(const Scene &scene, const Summary &run)
     {
-      contributions.erase(std::remove_if(contributions.begin(),
-                                         contributions.end(),
-                                         [&](const Contribution &one) { return gone(one.result); }),
-                          contributions.end());
+      return creep_scale(scene.friction.at(0) * run.normal_force,
+                         2 / (1 / elasticity(scene.rail_material).shear_modulus() +
+                              1 / elasticity(scene.wheel_material).shear_modulus()),
+                         run.patch_longitudinal,
+                         run.patch_lateral);
+    }
+
+    /// What the noise of the longitudinal force leaves open of creepage and friction work of bodies under it,
+    /// which know nothing of the run's own noise in them; of all else infinite.
+    double
+    left_by_force(const std::string &result, const CreepScale &scale, const Summary &run)
+    {
+      const double force = run.longitudinal_force, open = 2 * get_figure(run, "longitudinal_force_error_N"),
+                   slip = open / (scale.stiffness * scale.tangent(force));
+      if (result == "creepage")
+        return slip;
+      if (result == "t_gamma" || result == "frictional_power" || result == "archard_section")
+        return (std::abs(force) * slip + std::abs(run.creepage) * open) *
+               get_figure(run, figure_named(result).key()) / get_figure(run, "t_gamma_N");
+      return std::numeric_limits<double>::infinity();
     }
 
     /// The largest force of a path (doc/theory/intervals.md).
@@ -146,29 +166,40 @@ namespace wheelrail
                                                           : estimated(run, measures);
     // instead of estimates, and of what the true bodies do not know
     if (against_bodies.empty())
-      remove_results(contributions, [&](const std::string &name) { return knows(two_meshes, name); });
+      for (const Contribution &one : two_meshes)
+        contributions = without_results(std::move(contributions), {one.result});
     const Contributions before = contributions;
     for (const Contribution &one : two_meshes)
       if (!knows(before, one.result))
         contributions.push_back(one);
+    if (without_bound(measures, measures.edge))
+      contributions =
+        without_results(std::move(contributions),
+                        {"max_pressure", "max_pressure_fitted", "max_shear_traction", "max_von_mises"});
+    if (without_bound(measures, measures.edge_on_path))
+      contributions = without_results(std::move(contributions), {"largest_pressure", "von_mises_on_way"});
     if (scene.irregular()) // nothing is steady there
       return contributions;
     const auto is_known = [systematic = contributions](const std::string &name) {
       return name == "normal_force" || name == "vertical_force" || name == "longitudinal_force" ||
              knows(systematic, name);
     };
+    const CreepScale scale = scale_of(scene, run);
     for (const Figure &figure : all_figures())
       if (const double error = get_figure(run, figure.key("_error"));
           !std::isnan(error) && is_known(figure.name))
-        contributions.push_back({figure.name, "noise and trend", 0, 2 * error});
+        contributions.push_back({figure.name,
+                                 "noise and trend",
+                                 0,
+                                 knows(against_bodies, figure.name)
+                                   ? std::min(2 * error, left_by_force(figure.name, scale, run))
+                                   : 2 * error});
     for (const Contribution &one : noise_contributions(noise, run))
       if (is_known(one.result))
         contributions.push_back(one);
     if (!measures.slides.empty()) // as fast as it likes
-      remove_results(contributions, [](const std::string &name) {
-        return name == "creepage" || name == "t_gamma" || name == "frictional_power" ||
-               name == "archard_section";
-      });
+      contributions = without_results(std::move(contributions),
+                                      {"creepage", "t_gamma", "frictional_power", "archard_section"});
     return contributions;
   }
 
@@ -176,22 +207,22 @@ namespace wheelrail
   Known
   known_creep_of_run(const Scene &scene, const Summary &run)
   {
-    constexpr double least   = 0.25;
-    const double     bound   = scene.friction.at(0) * run.normal_force;
-    const double     modulus = 2 / (1 / elasticity(scene.rail_material).shear_modulus() +
-                                1 / elasticity(scene.wheel_material).shear_modulus());
-    const double     half =
-      creep_scale(bound, modulus, run.patch_longitudinal, run.patch_lateral).half_saturation();
-    Known worst;
+    constexpr double least = 0.25;
+    const CreepScale patch = scale_of(scene, run);
+    const double     half  = patch.half_saturation();
+    Known            worst;
     for (const auto &[name, scale] :
-         {std::pair<const char *, double>{"creepage", half}, {"t_gamma", bound * half}})
+         {std::pair<const char *, double>{"creepage", half}, {"t_gamma", patch.friction_bound * half}})
       {
         const Figure &figure = figure_named(name);
         const auto    get    = [&](const char *tail) { return get_figure(run, figure.key(tail)); };
         const double  value = get(""), reach = std::max(value - get("_low"), get("_high") - value),
                      within = reach / std::max(std::abs(value), least * scale);
         if (within > worst.within || (std::isnan(worst.within) && std::isfinite(within)))
-          worst = {within, 2 * get("_error") > 0.5 * reach ? "noise and trend" : "cells and penalty layer"};
+          worst = {within,
+                   std::min(2 * get("_error"), left_by_force(name, patch, run)) > 0.5 * reach
+                     ? "noise and trend"
+                     : "cells and penalty layer"};
       }
     return worst;
   }

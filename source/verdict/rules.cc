@@ -82,6 +82,13 @@ namespace wheelrail
   }
 
 
+  bool
+  without_bound(const Measures &m, const double edge)
+  {
+    return graded(m.growth(edge), edge_bounds) != Grade::trusted;
+  }
+
+
   void
   judge_edges(const Measures &m, const bool run, Verdict &verdict)
   {
@@ -99,7 +106,7 @@ namespace wheelrail
                     1e3 * edge,
                     run ? "cells" : "elements",
                     1e-6 * m.growth(edge) * m.peak_pressure)));
-      return grade != Grade::trusted;
+      return without_bound(m, edge);
     };
     if (tell(m.edge, "the peak pressure", "in the patch lies") ||
         tell(m.edge_on_path, "the largest pressure of the path", "it acts at"))

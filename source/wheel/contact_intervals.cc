@@ -52,7 +52,7 @@ namespace wheelrail
       results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.07, 0.2});
       results.push_back({"lateral_force", -std::cos(patch.angle) * s.fy, true, bound, 0.2});
       if (problem.longitudinal_force_given)
-        results.push_back({"creepage", s.xi, true, creep, 0.25});
+        results.push_back({"creepage", s.xi, true, creep, 0.35});
       else
         results.push_back({"longitudinal_force", -s.fx, true, bound, 0.2});
       return results;
@@ -135,6 +135,20 @@ namespace wheelrail
     if (noise.peak > felt)
       for (const char *name : {"lateral_force", "stick_fraction"})
         add(name, std::numeric_limits<double>::infinity());
+    return contributions;
+  }
+
+
+  Contributions
+  without_results(Contributions contributions, const std::vector<std::string> &results)
+  {
+    contributions.erase(std::remove_if(contributions.begin(),
+                                       contributions.end(),
+                                       [&](const Contribution &one) {
+                                         return std::find(results.begin(), results.end(), one.result) !=
+                                                results.end();
+                                       }),
+                        contributions.end());
     return contributions;
   }
 

@@ -4,7 +4,7 @@
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/scene/steels.h>
-#include <wheelrail/verdict/verdict.h>
+#include <wheelrail/verdict/rules.h>
 #include <wheelrail/wheel/contact_intervals.h>
 #include <wheelrail/wheel/halfspace_case.h>
 #include <wheelrail/wheel/halfspace_parts.h>
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -292,12 +293,18 @@ namespace wheelrail
     };
 
     Contributions
-    contributions_of(const WheelRailSolution &patch, const Summary &summary)
+    contributions_of(const Scene &scene, const WheelRailSolution &patch, const Summary &summary)
     {
       Contributions       contributions = element_contributions(patch);
       const Contributions noise         = noise_contributions(patch.noise_effect, summary);
       contributions.insert(contributions.end(), noise.begin(), noise.end());
-      return contributions;
+      Measures measures;
+      measures.contact_modulus = contact_modulus(scene);
+      measures.peak_pressure   = summary.max_pressure;
+      if (!without_bound(measures, patch.kinks.edge))
+        return contributions;
+      return without_results(std::move(contributions),
+                             {"max_pressure", "max_pressure_fitted", "max_shear_traction"});
     }
 
     std::vector<KnownPatch>
@@ -306,7 +313,7 @@ namespace wheelrail
       std::vector<KnownPatch> patches;
       const auto              add = [&](const WheelRailSolution &patch) {
         const Summary summary = summary_of_patch(scene, patch);
-        patches.push_back({&patch, summary, contributions_of(patch, summary)});
+        patches.push_back({&patch, summary, contributions_of(scene, patch, summary)});
       };
       add(result);
       for (const WheelRailSolution &other : result.others)
@@ -330,7 +337,8 @@ namespace wheelrail
   Verdict
   judge_patch(const Scene &scene, const WheelRailSolution &result)
   {
-    return judge_with(scene, result, result.turn, contributions_of(result, summary_of_patch(scene, result)));
+    return judge_with(
+      scene, result, result.turn, contributions_of(scene, result, summary_of_patch(scene, result)));
   }
 
 

@@ -39,6 +39,11 @@ namespace wheelrail
               const Measures    &m,
               Verdict           &verdict);
 
+  /// Whether the pressure at an edge of the surfaces [rad] grows with each halving of cells or elements by
+  /// more than is trusted, so that it is no result.
+  bool
+  without_bound(const Measures &m, double edge);
+
   /// Kinks in the patch, under which no cells or elements find a pressure; forces, which a run is for there,
   /// hold.
   void

@@ -3,6 +3,7 @@
 #include <wheelrail/verdict/interval.h>
 #include <wheelrail/wheel/halfspace_case.h>
 
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -24,6 +25,10 @@ namespace wheelrail
   /// the area (Kalker's linear theory); of lateral forces nothing is known where the noise is felt.
   Contributions
   noise_contributions(const NoiseEffect &noise, const Summary &results);
+
+  /// Contributions without those of some results, which then have no interval.
+  Contributions
+  without_results(Contributions contributions, const std::vector<std::string> &results);
 
   /// Those of a whole contact from those of its patches, whose summaries are `patches`: what adds up (forces,
   /// areas, work) has shifts and spreads that add up, too; all else that of the patch that has the result.
