@@ -63,10 +63,8 @@ namespace wheelrail
     const Names of_first_order  = {"lateral_force",
                                    "least_vertical_force",
                                    "t_gamma",
-                                   "frictional_power",
                                    "stick_fraction",
                                    "max_shear_traction",
-                                   "archard_section",
                                    "max_von_mises",
                                    "von_mises_below_cell",
                                    "von_mises_on_way",
@@ -74,8 +72,6 @@ namespace wheelrail
                                    "rail_plastic_strain",
                                    "plastic_strain_on_way",
                                    "max_residual_von_mises",
-                                   "residual_lateral_stress",
-                                   "residual_longitudinal_stress",
                                    "residual_forward_flow"};
 
     bool
@@ -194,7 +190,7 @@ namespace wheelrail
                                  knows(against_bodies, figure.name)
                                    ? std::min(2 * error, left_by_force(figure.name, scale, run))
                                    : 2 * error});
-    for (const Contribution &one : noise_contributions(noise, run))
+    for (const Contribution &one : noise_contributions(noise, run, scale.half_saturation()))
       if (is_known(one.result))
         contributions.push_back(one);
     if (!measures.slides.empty()) // as fast as it likes

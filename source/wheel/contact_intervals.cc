@@ -112,16 +112,16 @@ namespace wheelrail
 
 
   Contributions
-  noise_contributions(const NoiseEffect &noise, const Summary &results)
+  noise_contributions(const NoiseEffect &noise, const Summary &results, const double half)
   {
     constexpr double felt = 2e-3; // of the peak pressure
     if (std::isnan(noise.peak))
       return {};
     Contributions contributions;
-    const auto    add = [&](const char *name, const double share) {
+    const auto    add = [&](const char *name, const double share, const double least = 0) {
       const double value = get_figure(results, figure_named(name).key());
       if (std::isfinite(value))
-        contributions.push_back({name, "measured input", 0, share * std::abs(value)});
+        contributions.push_back({name, "measured input", 0, share * std::max(std::abs(value), least)});
     };
     add("max_pressure", noise.peak);
     add("max_pressure_fitted", noise.peak);
@@ -130,7 +130,7 @@ namespace wheelrail
     add("patch_lateral", noise.width);
     add("patch_longitudinal", noise.length);
     add("approach", noise.approach);
-    add("creepage", noise.area);
+    add("creepage", noise.area, std::isfinite(half) ? half : 0);
     add("t_gamma", noise.area);
     if (noise.peak > felt)
       for (const char *name : {"lateral_force", "stick_fraction"})

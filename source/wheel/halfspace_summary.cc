@@ -296,7 +296,8 @@ namespace wheelrail
     contributions_of(const Scene &scene, const WheelRailSolution &patch, const Summary &summary)
     {
       Contributions       contributions = element_contributions(patch);
-      const Contributions noise         = noise_contributions(patch.noise_effect, summary);
+      const Contributions noise         = noise_contributions(
+        patch.noise_effect, summary, half_saturation(patch.problem, patch.solution, patch.measures));
       contributions.insert(contributions.end(), noise.begin(), noise.end());
       Measures measures;
       measures.contact_modulus = contact_modulus(scene);

@@ -22,9 +22,10 @@ namespace wheelrail
   element_contributions(const WheelRailSolution &patch);
 
   /// What the noise of measured profiles leaves open of the results of a summary. Creepage and T-gamma follow
-  /// the area (Kalker's linear theory); of lateral forces nothing is known where the noise is felt.
+  /// the area (Kalker's linear theory), a creepage near nought by its value at `half` saturation, since spin
+  /// and radii change, too; of lateral forces nothing is known where the noise is felt.
   Contributions
-  noise_contributions(const NoiseEffect &noise, const Summary &results);
+  noise_contributions(const NoiseEffect &noise, const Summary &results, double half);
 
   /// Contributions without those of some results, which then have no interval.
   Contributions
