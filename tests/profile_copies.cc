@@ -5,6 +5,7 @@
 #include <wheelrail/model/profile_copies.h>
 
 #include "check.h"
+#include "slices_files.h"
 
 #include <filesystem>
 #include <fstream>
@@ -58,6 +59,20 @@ namespace
     check(changed_since_start(scene, "kept/changed")
               .find("Profiles/Rail = kept/rail.txt: this file has changed") == 0,
           "a rail that has changed");
+    scene              = Scene();
+    scene.rail_profile = "kept/even.slcs";
+    write_slices("kept/even.slcs", "section.txt", 0, 100);
+    write_points("kept/section.txt", head_points());
+    keep_profiles(scene, "kept/changed");
+    use_kept_profiles(scene, "kept/changed");
+    check_text(scene.rail_profile, "kept/even.slcs", "slices stay where they are");
+    check_text(changed_since_start(scene, "kept/changed"), "", "and are as they were");
+    write("kept/section.txt", "0 0\n1 0\n2 0\n3 0\n");
+    check_text(changed_since_start(scene, "kept/changed"),
+               "Profiles/Rail = kept/even.slcs: this file or one of its slices has changed since the run "
+               "began, which has kept it as kept/changed/profiles/rail_even.slcs.txt; set it back to that, or "
+               "start anew in another Output/Folder",
+               "a slice that has changed");
   }
 } // namespace
 

@@ -72,9 +72,8 @@ namespace wheelrail
       return [value](Scene &to) -> std::string & { return to.*value; };
     };
     add("Profiles/Wheel", scene.wheel_profile, "wheel", member(&Scene::wheel_profile), true);
-    // slices name further files beside them, so that a copy of theirs alone is of no use
-    add("Profiles/Rail", scene.rail_profile, "rail", member(&Scene::rail_profile), !scene.rail_by_slices());
-    add("Profiles/Second rail", scene.second_rail, "second_rail", member(&Scene::second_rail), false);
+    add("Profiles/Rail", scene.rail_profile, "rail", member(&Scene::rail_profile), true);
+    add("Profiles/Second rail", scene.second_rail, "second_rail", member(&Scene::second_rail), true);
     add("Profiles/Wheel left",
         scene.left_wheel_profile,
         "wheel_left",
@@ -97,7 +96,7 @@ namespace wheelrail
           one.file,
           "irregularity_" + std::to_string(k + 1),
           [k](Scene &to) -> std::string & { return to.irregularities[k].file; },
-          !is_slices_file(one.file));
+          true);
     add("Material test/File", scene.material_test.file, "material_test", nullptr, false);
     add_listed(scene, files);
     if (scene.rail_from != "new")

@@ -8,8 +8,8 @@ namespace wheelrail
 {
   /// Copies the profile files of a scene into `folder`/profiles, as wheel_NAME and rail_NAME, and the table
   /// of Wheelset/Motion as motion_NAME, so that a run can be looked at from anywhere and after its files have
-  /// changed. Standard profiles need none. To be
-  /// called on one rank; throws RunError when they cannot be written.
+  /// changed. Of slices there is a text of all that they name, to compare with. Standard profiles need none.
+  /// To be called on one rank; throws RunError when they cannot be written.
   void
   keep_profiles(const Scene &scene, const std::string &folder);
 
