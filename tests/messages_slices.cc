@@ -156,13 +156,15 @@ namespace
                "--set: Profiles/Second rail = good.slcs: a second rail stands beside one by slices (.slcs); "
                "Profiles/Rail is 54E1",
                "a second rail beside a plain one");
-    check_text(validated({rail, "Profiles/Second rail = good.slcs"}),
-               "--set: Profiles/Second rail = good.slcs: it begins at 0 mm, before the end of "
-               "Profiles/Rail at 80 mm; "
-               "a mesh has two rails one behind the other, as at a joint: rails beside each other, as wing "
-               "and nose, are "
-               "for --places of geometry and halfspace",
-               "rails beside each other in a run");
+    check_text(
+      validated({"Profiles/Rail = before.slcs",
+                 "Profiles/Rail unit = mm",
+                 "Mesh/Solution cell size = 2 mm",
+                 "Profiles/Second rail = thin.slcs",
+                 "Profiles/Rail place = -100 mm"}),
+      "--set: Profiles/Second rail = thin.slcs: its head is thinner than three cells, 6 mm, all along "
+      "the path, or is not there; take a smaller Mesh/Solution cell size",
+      "a nose thinner than three cells");
     check_text(validated({rail, "Profiles/Rail place = 50 mm", "Run/Rolling distance = 40 mm"}),
                "--set: Profiles/Rail place: the path from 50 mm to 90 mm along the rail leaves the slices, "
                "which reach from 0 mm to 80 mm; begin it elsewhere, or roll a shorter Run/Rolling "
@@ -183,6 +185,20 @@ namespace
     noted({before, second, place},
           "Profiles/Second rail = behind.slcs: the gap of 2 mm in front of it is fewer than four cells wide: "
           "it ends up to half a cell off");
+    noted(
+      {"Profiles/Rail = before.slcs",
+       "Profiles/Rail unit = mm",
+       "Mesh/Solution cell size = 2 mm",
+       "Profiles/Second rail = growing.slcs",
+       "Profiles/Rail place = -150 mm"},
+      "Profiles/Second rail = growing.slcs: what lies in front of -80 mm of it is cut off, where its head "
+      "is "
+      "thinner than three cells, 6 mm, 5 mm below its top");
+    noted(
+      {"Profiles/Rail = before.slcs", "Profiles/Second rail = beside.slcs", "Profiles/Rail place = -150 mm"},
+      "Profiles/Second rail = beside.slcs: begins at -100 mm within reach of the wheel: its surface sinks "
+      "there "
+      "over 10 mm, and what the wheel does there is not that of a square end");
     noted({"Profiles/Rail = sinking.slcs"},
           "Profiles/Rail = sinking.slcs: its section changes where the run starts: the surface goes over to "
           "the slices between 10 mm and 60 mm");
@@ -231,6 +247,18 @@ main()
   head("deep.txt", 14);
   test::write_slices("before.slcs", "head.txt", -200, 0);
   test::write_slices("behind.slcs", "head.txt", 2, 200);
+  write_section("thin.txt", 60, -36);
+  write_section("thicker.txt", 60, -30);
+  test::write_slices("thin.slcs", "thin.txt", -200, 0);
+  write(
+    "growing.slcs",
+    "0 1 U_OFFSET U_SCALE\n5 NSLC\n0 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n-200 'thin.txt'\n-150 'thin.txt'\n"
+    "-100 'thin.txt'\n-50 'thicker.txt'\n0 'thicker.txt'\n");
+  std::vector<Point2> high = test::head_points();
+  for (Point2 &p : high)
+    p = p + Point2{62, -2};
+  test::write_points("high.txt", high);
+  test::write_slices("beside.slcs", "high.txt", -100, 0);
   const auto changing =
     [](const std::string &last) { // slices from -200 mm on each 50 mm, another one from 0 on
       std::string file = "0 1 U_OFFSET U_SCALE\n9 NSLC\n0 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n";

@@ -1,16 +1,25 @@
 // ranks: 1 2
 // label: long
 // Runs on rails by slices: one section all along is the plain rail; over the gap of a joint the load goes
-// from one rail to the other.
+// from one rail to the other; on a crossing it goes from the wing to the nose where half-spaces on bodies
+// that give as these do share it.
 #include "between_rows.h"
 #include "parallel.h"
 #include "slices_files.h"
 #include "stopped_runs.h"
 
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/rail_slices.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/sections/section_contacts.h>
+#include <wheelrail/wheel/halfspace_parts.h>
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -97,6 +106,97 @@ namespace
     check(get_figure(summary, "first_rail_force_N") > 5e4 && get_figure(summary, "second_rail_force_N") > 5e4,
           "largest forces of both rails are in the summary");
   }
+
+  /// Wing and nose under a wheel on half-spaces.
+  struct RigidCrossing
+  {
+    const Scene                 &scene;
+    std::vector<SectionsSurface> wing, nose;
+    PosedWheel                   wheel;
+    SectionRolling               rolling;
+
+    RigidCrossing(const Scene &scene, std::vector<std::string> &notes)
+      : scene(scene)
+      , wing{read_rail_slices(scene, "Profiles/Rail", scene.rail_profile, {}, notes)}
+      , nose{read_rail_slices(scene, "Profiles/Second rail", scene.second_rail, {}, notes)}
+      , wheel(read_wheel_profile(scene).wheel, scene.track, wheelset_pose(scene))
+    {
+      rolling.problem = halfspace_problem(scene);
+      rolling.turning = scene.velocity / scene.track.nominal_radius;
+    }
+
+    /// Height of the wheel on one of them [m].
+    double
+    height(const std::vector<SectionsSurface> &rail, const double place, const double load) const
+    {
+      return contacts_under_load(rail, wheel, rolling, scene.rail_place + place, load).height;
+    }
+  };
+
+  /// A function's root.
+  template <typename Function>
+  double
+  root(const Function &function, const double low, const double high)
+  {
+    std::uintmax_t steps = 30;
+    const auto     found = boost::math::tools::toms748_solve(
+      function, low, high, boost::math::tools::eps_tolerance<double>(12), steps);
+    return 0.5 * (found.first + found.second);
+  }
+
+  /// From the wing to the nose: the place where both carry the same. The bodies below wing and nose give
+  /// differently under a load beside their middle: that is measured before and behind the hand-over, and half
+  /// of it, as half of the load is on each, moves the place of half-spaces.
+  void
+  test_crossing()
+  {
+    Scene scene               = read_scene(WHEELRAIL_SOURCE_DIR "/prm/crossing.prm", {}).scene;
+    scene.rail_place          = 490e-3;
+    scene.rolling_distance    = 130e-3;
+    scene.rail_length         = 0.8;
+    scene.cell_size           = 4e-3;
+    scene.fine_margin         = 4e-3;
+    scene.fine_depth          = 8e-3;
+    scene.ticks               = 1;
+    scene.volume_fields       = false;
+    scene.checkpoint_interval = 1e4;
+    scene.folder              = "sliced";
+    const Summary summary     = rolled(scene);
+    const History history     = read_history("sliced/history.h5");
+    const auto    at          = [&](const std::string &name, const double place) {
+      return between_rows(column(history, "rolled_distance"), column(history, name), place);
+    };
+    const double load  = get_figure(summary, "wheel_load_N");
+    double       both  = 0;
+    const auto  &first = column(history, "first_rail_force"), &second = column(history, "second_rail_force");
+    for (std::size_t k = 0; k < first.size(); ++k)
+      both += (first[k] + second[k]) / static_cast<double>(first.size());
+    check_relative(both, load, 0.03, "wing and nose carry the load");
+    check(summary.energy_error < 0.01, "energy error " + std::to_string(100 * summary.energy_error) + " %");
+    std::vector<std::string> notes;
+    const RigidCrossing      rigid(scene, notes);
+    const double             before = 5e-3, behind = 127e-3, half = 0.5 * load,
+                 touch = touching_places(rigid.wing, rigid.wheel, scene.rail_place).front().height;
+    const auto give    = [&](const std::vector<SectionsSurface> &rail, const double place, const double on) {
+      return rigid.height(rail, on, load) - touch - at("axle_height", place);
+    };
+    const double more = give(rigid.wing, before, 0) - give(rigid.nose, behind, behind);
+    const auto   step = [&](const double given) {
+      return [&rigid, half, given](const double place) {
+        return rigid.height(rigid.wing, place, half) - rigid.height(rigid.nose, place, half) - 0.5 * given;
+      };
+    };
+    const double wanted = root(step(more), 55e-3, 115e-3);
+    const double even =
+      root([&](const double place) { return at("second_rail_force", place) - at("first_rail_force", place); },
+           55e-3,
+           115e-3);
+    check_near(1e3 * even,
+               1e3 * wanted,
+               5,
+               "the load goes over to the nose [mm], the wing gives " + std::to_string(1e6 * more) +
+                 " um more");
+  }
 } // namespace
 
 
@@ -109,5 +209,6 @@ main(int argc, char **argv)
   MPI_Barrier(MPI_COMM_WORLD);
   test_one_section();
   test_joint();
+  test_crossing();
   return parallel.report();
 }

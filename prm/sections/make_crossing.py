@@ -56,8 +56,8 @@ def wing(u):
 
 def nose(u):
     """Half a head up to a corner of 6 mm on its field side."""
-    width, radius = 10 + 0.1 * (u - 520), 6
-    low = 3 * max(0.0, 1 - (u - 520) / 200) ** 2
+    width, radius = 10 + 0.1 * (u - 380), 6
+    low = 3 * max(0.0, 1 - (u - 380) / 200) ** 2
     head = [(-x, z) for x, z in reversed(half_head())]
     edge = head[0][0] + DEPTH * 0.05 + width - radius  # where the corner begins
     left = [p for p in head if p[0] < edge - 0.2]
@@ -102,7 +102,7 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 1
     write(arguments[0], "wing", list(range(-200, -20, 60)) + list(range(-20, 61, 10)) + list(range(100, 781, 40)), wing)
-    write(arguments[0], "nose", list(range(520, 801, 20)), nose)
+    write(arguments[0], "nose", list(range(380, 681, 20)), nose)
     write_even(arguments[0], "joint_before", -3000, 0, 0)
     for name, low in (("level", 0), ("down", 0.5), ("up", -0.5)):
         write_even(arguments[0], "joint_" + name, 6, 3006, low)

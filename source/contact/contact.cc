@@ -117,13 +117,13 @@ namespace wheelrail
 
 
   Vector3
-  Contact::force_beyond(const double place) const
+  Contact::force_of_second_rail() const
   {
     Vector3 sum{};
     for_own_nodes([&](const int i, const int j) {
       const std::size_t  k    = lattice().index(i, j);
       const ContactNode &node = nodes_[k];
-      if (node.pressure > 0 && states_.rail.reference[k][2] > place)
+      if (node.pressure > 0 && surfaces().rail.on_second_rail(states_.rail.reference[k]))
         add(sum, rail().area[k], node.pressure * node.normal - node.traction);
     });
     for (double &component : sum)

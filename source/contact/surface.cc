@@ -76,7 +76,7 @@ namespace wheelrail
               const Vector3 X = {x[0], x[1], x[2]};
               // station i = Z (or arc) over the spacing, row j = (s - s_begin) over the spacing
               // (doc/theory/mesh.md, The lattice)
-              const auto place = surfaces[body].place(X);
+              const auto place = surfaces[body].unmoved(X);
               const long i     = lattice.station(place.along) - lattice.first_station;
               const long j     = std::lround((place.s - lattice.s_begin) / lattice.spacing_lateral);
               if (i < 0 || j < 0 || i >= long(lattice.n_along) || j >= long(lattice.n_lateral))

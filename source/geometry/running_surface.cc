@@ -133,6 +133,26 @@ namespace wheelrail
   }
 
 
+  bool
+  RunningSurface::has_second_rail() const
+  {
+    return std::any_of(irregularities().begin(), irregularities().end(), [](const Irregularity &one) {
+      return one.second != nullptr;
+    });
+  }
+
+
+  bool
+  RunningSurface::on_second_rail(const Vector3 &X) const
+  {
+    const Place  p      = place(X);
+    const double across = pose_.section.to_section(frame_.to_track({p.s, p.n})).x;
+    return std::any_of(irregularities().begin(), irregularities().end(), [&](const Irregularity &one) {
+      return one.second && one.second(across, origin_ + p.along);
+    });
+  }
+
+
   double
   RunningSurface::offset(const Vector3 &X) const
   {
@@ -195,5 +215,26 @@ namespace wheelrail
       return {to.x, to.y, X[2]};
     const Point2 section = pose_.section.to_section(to);
     return pose_.position(section.x, pose_.nominal_radius - section.y, pose_.angle(X));
+  }
+
+
+  RunningSurface::Place
+  RunningSurface::unmoved(const Vector3 &X) const
+  {
+    Place p = place(X);
+    if (!moves_mesh())
+      return p;
+    const double outwards = body_ == Body::rail ? 1 : -1, s = p.s;
+    for (int k = 0; k < 20; ++k)
+      {
+        const FrameProfile::Value smooth = section_.at(section_.within(p.s));
+        const double across = pose_.section.to_section(frame_.to_track({section_.within(p.s), smooth.n})).x;
+        const double rise =
+          outwards *
+          height_at(*irregular_, CarriedBy::mesh, 2 * M_PI * radius_, across, origin_ + p.along).height;
+        p.s = s + rise * smooth.slope / std::sqrt(1 + smooth.slope * smooth.slope);
+        p.n = smooth.n;
+      }
+    return p;
   }
 } // namespace wheelrail

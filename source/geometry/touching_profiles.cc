@@ -30,7 +30,7 @@ namespace wheelrail
       for (const Body body : both_bodies)
         for (const Irregularity &one : surfaces[body].irregularities())
           {
-            slope += one.measures.steepest;
+            slope += std::min(one.measures.steepest, one.measures.touched);
             depth += one.measures.largest;
           }
       return std::min(radius * slope,

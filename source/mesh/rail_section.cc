@@ -19,6 +19,7 @@ namespace wheelrail
     {
       double head_corner = 0; ///< lower corner of the head (R3)
       double neck        = 0; ///< fillet below the head
+      double web         = 0; ///< where it is narrowest
       double foot_fillet = 0; ///< fillet above the foot
       double toe_top     = 0;
       double toe_bottom  = 0;
@@ -58,6 +59,7 @@ namespace wheelrail
       };
 
       Half half;
+      half.web           = web;
       half.neck          = find(-60, web, start, "fillet between head and web");
       const double under = find(-40, half.neck, start, "underside of the rail head");
       half.head_corner   = find(-55, under, start, "lower corner of the rail head");
@@ -67,7 +69,7 @@ namespace wheelrail
       return half;
     }
 
-    constexpr double web_thickness = 0.016; // of 54E1 and 60E1: 16 to 16.5 mm
+    constexpr double usual_web = 0.016; // 54E1 and 60E1: 16 to 16.5 mm
 
     // Everything the parts of the section share.
     struct Rail
@@ -75,8 +77,9 @@ namespace wheelrail
       SectionBuilder builder;
       MirroredCurve  head, outline;
       Half           field, gauge;
-      double         block_size  = 0;
-      unsigned int   web_columns = 2;
+      double         block_size    = 0;
+      unsigned int   web_columns   = 2;
+      double         web_thickness = usual_web;
       Side           layer_inner; ///< corners below those of the running layer
     };
 
@@ -242,7 +245,7 @@ namespace wheelrail
       const CurveStretch gauge(rail.outline, rail.gauge.foot_fillet, rail.gauge.neck);
       // as tall as wide: the chords of taller blocks bridge the hollow fillets and make the web stiffer
       // (doc/theory/mesh.md)
-      const unsigned int rows = block_count(field.length(), web_thickness / rail.web_columns);
+      const unsigned int rows = block_count(field.length(), rail.web_thickness / rail.web_columns);
       Side bottom = builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), rail.web_columns);
       builder.patch("web",
                     bottom,
@@ -335,12 +338,16 @@ namespace wheelrail
                        "' is a crown without sides, which half-spaces alone take (Half-space/Bodies = "
                        "half-spaces): give a head with its sides.");
     Rail rail;
-    rail.head        = {std::make_shared<const Curve>(profile.head), 1, 0};
-    rail.outline     = {std::make_shared<const Curve>(profile.outline), 1, 0};
-    rail.field       = find_half(rail.outline, 1, profile.height);
-    rail.gauge       = find_half(rail.outline, -1, profile.height);
-    rail.block_size  = block_size;
-    rail.web_columns = std::max(2u, block_count(web_thickness, block_size));
+    rail.head       = {std::make_shared<const Curve>(profile.head), 1, 0};
+    rail.outline    = {std::make_shared<const Curve>(profile.outline), 1, 0};
+    rail.field      = find_half(rail.outline, 1, profile.height);
+    rail.gauge      = find_half(rail.outline, -1, profile.height);
+    rail.block_size = block_size;
+    const double thickness =
+      std::abs(rail.outline.position(rail.field.web).x - rail.outline.position(rail.gauge.web).x);
+    if (thickness > 1.5 * usual_web) // of a rail that was widened
+      rail.web_thickness = thickness;
+    rail.web_columns = std::max(2u, block_count(rail.web_thickness, block_size));
 
     const RunningLayer layer = make_top_layer(rail, placement, strip);
     const Side         neck  = make_head(rail, layer);

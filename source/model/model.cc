@@ -6,6 +6,7 @@
 #include <wheelrail/model/irregular_strip.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/motion_path.h>
+#include <wheelrail/model/moved_cells.h>
 #include <wheelrail/model/planned_strip.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/model/scene_motion.h>
@@ -133,23 +134,6 @@ namespace wheelrail
       add_band_mass(model.solid, model.contact->law().added_mass);
     }
 
-    /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the path:
-    /// heights are blended over a depth, slopes shear cells.
-    double
-    thinnest_cells(const RunningSurfaces &surfaces)
-    {
-      double least = 1;
-      for (const Body body : both_bodies)
-        {
-          double strain = 0;
-          for (const Irregularity &one : surfaces[body].irregularities())
-            if (one.carried == CarriedBy::mesh)
-              strain += one.measures.largest / RunningSurface::blend_depth + one.measures.steepest;
-          least = std::min(least, 1 - std::min(strain, 0.8));
-        }
-      return least;
-    }
-
     /// Work of a cell: a body that may yield takes 30 % more time (doc/measured.md).
     int
     work_of_cell(const MaterialLaw &law)
@@ -179,7 +163,7 @@ namespace wheelrail
       prepare_parts(model.parts, model.solid);
       lower_stable_step(model.solid, model.parts);
       // the start lies on the smooth surfaces: what comes later counts now
-      model.solid.stable.step *= thinnest_cells(plan.surfaces);
+      model.solid.stable.step *= thinnest_cells(plan);
       model.contact = make_contact(scene, model, communicator);
       prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
     }

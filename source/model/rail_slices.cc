@@ -1,9 +1,11 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/model/crossing_surface.h>
 #include <wheelrail/model/rail_slices.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/note_lines.h>
 #include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/profiles/smoothing_spline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,23 +36,48 @@ namespace wheelrail
   }
 
 
+  double
+  least_distance(const std::vector<Slices::Slice> &slices)
+  {
+    double least = HUGE_VAL;
+    for (std::size_t k = 1; k < slices.size(); ++k)
+      least = std::min(least, slices[k].along - slices[k - 1].along);
+    return least;
+  }
+
+
+  double
+  step_along(const double least)
+  {
+    return std::clamp(least / 4, 0.5e-3, 5e-3);
+  }
+
+
+  bool
+  rails_beside(const ProfileSettings &scene, const Slices &slices)
+  {
+    return scene.second_rail != "none" &&
+           turned_slices(scene, scene.second_rail).slices.front().along <= slices.slices.back().along;
+  }
+
+
   Range
   gap_of_rails(const Scene &scene, const Slices &slices)
   {
-    const double first = slices.slices.front().along, end = slices.slices.back().along,
-                 begin = scene.rail_place, stop = begin + scene.mesh_distance();
-    double last = end;
-    Range  gap{HUGE_VAL, HUGE_VAL};
+    double       first = slices.slices.front().along, end = slices.slices.back().along, last = end;
+    const double begin = scene.rail_place, stop = begin + scene.mesh_distance();
+    Range        gap{HUGE_VAL, HUGE_VAL};
     if (scene.second_rail != "none")
       {
         const Slices second = turned_slices(scene, scene.second_rail);
-        gap                 = {end, second.slices.front().along};
-        last                = second.slices.back().along;
-        if (!(gap.s1 > gap.s0))
-          throw InputError("Profiles/Second rail = " + scene.second_rail + ": it begins at " + in_mm(gap.s1) +
-                           ", before the end of Profiles/Rail at " + in_mm(gap.s0) +
-                           "; a mesh has two rails one behind the other, as at a joint: rails beside each "
-                           "other, as wing and nose, are for --places of geometry and halfspace");
+        last                = std::max(end, second.slices.back().along);
+        if (rails_beside(scene, slices))
+          {
+            first = std::min(first, second.slices.front().along);
+            end   = last;
+          }
+        else
+          gap = {end, second.slices.front().along};
       }
     if (begin < first || stop > last || begin > end)
       throw InputError("Profiles/Rail place: the path from " + in_mm(begin) + " to " + in_mm(stop) +
@@ -93,6 +120,47 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// The section of the slice nearest to the start.
+    RailProfile
+    rail_of_slice(const Scene              &scene,
+                  const Slices             &slices,
+                  SceneProfiles            &profiles,
+                  std::vector<std::string> &notes)
+    {
+      const Slices::Slice &slice   = slice_of_start(scene, slices);
+      ProfileFileOptions   options = scene.rail_file;
+      options.placed               = true;
+      options.turn                 = // z points down in slices
+        scene.rail_file.turn == ProfileMirror::yes ? ProfileMirror::no : ProfileMirror::yes;
+      if (options.mirror == ProfileMirror::automatic)
+        options.mirror = ProfileMirror::no;
+      profiles.files.rail = read_profile_file(slice.file, options);
+      notes               = profiles.files.rail->notes;
+      RailProfile rail    = measured_rail(*profiles.files.rail, scene.rail_body, notes);
+      notes.insert(notes.begin(), "the section of the mesh is that of the slice at " + in_mm(slice.along));
+      return rail;
+    }
+
+    /// The surface of two rails beside each other where the path begins.
+    RailProfile
+    rail_of_crossing(const Scene &scene, const WheelProfile &wheel, std::vector<std::string> &notes)
+    {
+      std::vector<std::string>  told; // again where the surface rises
+      const CrossingSurface     surface(scene, wheel, told);
+      const std::vector<Point2> points = surface.section_of_start();
+      MeasuredProfile           section;
+      section.file   = scene.rail_profile;
+      section.placed = true;
+      section.curve  = Curve(smoothing_spline(points, {}, std::vector<double>(points.size(), 0.)));
+      notes.push_back("the section of the mesh is what both rails have where the path begins, filled up to " +
+                      in_mm(CrossingSurface::below) + " below the wheel");
+      return wide_rail(section, scene.rail_body == "auto" ? "54E1" : scene.rail_body, notes);
+    }
+  } // namespace
+
+
   void
   read_sliced_rail(const Scene &scene, SceneProfiles &profiles)
   {
@@ -101,18 +169,10 @@ namespace wheelrail
       {
         const Slices slices = turned_slices(scene, path);
         gap_of_rails(scene, slices);
-        const Slices::Slice &slice   = slice_of_start(scene, slices);
-        ProfileFileOptions   options = scene.rail_file;
-        options.placed               = true;
-        options.turn                 = // z points down in slices
-          scene.rail_file.turn == ProfileMirror::yes ? ProfileMirror::no : ProfileMirror::yes;
-        if (options.mirror == ProfileMirror::automatic)
-          options.mirror = ProfileMirror::no;
-        profiles.files.rail          = read_profile_file(slice.file, options);
-        std::vector<std::string> &of = profiles.files.rail->notes;
-        profiles.rail                = measured_rail(*profiles.files.rail, scene.rail_body, of);
-        profiles.rail.name           = path;
-        of.insert(of.begin(), "the section of the mesh is that of the slice at " + in_mm(slice.along));
+        std::vector<std::string> of;
+        profiles.rail      = rails_beside(scene, slices) ? rail_of_crossing(scene, profiles.wheel, of)
+                                                         : rail_of_slice(scene, slices, profiles, of);
+        profiles.rail.name = path;
         for (const std::string &note : note_lines(of))
           profiles.notes.push_back(entry + " = " + path + ": " + note);
       }

@@ -3,13 +3,14 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/model/rail_slices.h>
+#include <wheelrail/model/rise_of_crossing.h>
 #include <wheelrail/model/rise_of_slices.h>
+#include <wheelrail/model/rise_over_section.h>
 #include <wheelrail/profiles/height_grid.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 // A rail whose section changes slowly is the swept rail of one section, whose surface rises and falls along
 // the normal of that section (RunningSurface): whatever knows irregular surfaces knows it.
@@ -27,36 +28,6 @@ namespace wheelrail
       for (const Point2 &p : column.points())
         top = std::max(top, p.y);
       return top;
-    }
-
-    /// A point of the smooth rail with its tangent and outward normal, in the section.
-    struct Foot
-    {
-      Point2 position, tangent, normal;
-    };
-
-    /// The rail around the contact, across, where it is no steeper than 4 against the contact.
-    std::vector<Foot>
-    feet_of(const TouchingProfiles &profiles)
-    {
-      constexpr double    spacing = 0.5e-3, steepest = 4;
-      const Placement    &section = profiles.contact.rail;
-      const ContactFrame &frame   = profiles.contact.frame;
-      const FrameProfile  head(profiles.rail.head, section, frame, steepest);
-      const int           n = static_cast<int>((head.s_max() - head.s_min()) / spacing);
-      std::vector<Foot>   feet;
-      for (int i = 0; i <= n; ++i)
-        {
-          const double              s      = head.s_max() + (head.s_min() - head.s_max()) * i / n;
-          const FrameProfile::Value height = head.at(s);
-          const double              secant = std::sqrt(1 + height.slope * height.slope);
-          const auto   to_section = [&](const Point2 &q) { return section.to_section(frame.to_track(q)); };
-          const Point2 at         = to_section({s, height.n});
-          feet.push_back({at,
-                          to_section({s + 1 / secant, height.n + height.slope / secant}) - at,
-                          to_section({s - height.slope / secant, height.n + 1 / secant}) - at});
-        }
-      return feet;
     }
 
     /// Distances of a section from the feet along their normals [m], the nearest one of each; not a number
@@ -104,14 +75,6 @@ namespace wheelrail
             }
         }
       return found;
-    }
-
-    /// 0 up to `from`, 1 from `to` on, and the slope of what goes over smoothly between them.
-    std::pair<double, double>
-    passing_over(const double at, const double from, const double to)
-    {
-      const double length = to - from, t = std::clamp((at - from) / length, 0., 1.);
-      return {t * t * t * (10 - t * (15 - 6 * t)), 30 * t * t * (1 - t) * (1 - t) / length};
     }
 
     /// One rail, or two with a gap between them.
@@ -193,15 +156,6 @@ namespace wheelrail
       return {first, end};
     }
 
-    double
-    least_distance(const Slices &slices)
-    {
-      double least = HUGE_VAL;
-      for (std::size_t k = 1; k < slices.slices.size(); ++k)
-        least = std::min(least, slices.slices[k].along - slices.slices[k - 1].along);
-      return least;
-    }
-
     /// The rises over the feet, on a grid around the path.
     HeightGrid
     grid_of_rises(const Scene            &scene,
@@ -242,47 +196,20 @@ namespace wheelrail
       return grid;
     }
 
-    /// Makes the surface keep the section of the start within the lead-in, where sections change there.
-    /// `origin`: of the path, along.
-    void
-    lead_into(Irregularity             &shape,
-              const HeightGrid         &grid,
-              const double              origin,
-              const std::string        &rail,
-              std::vector<std::string> &notes)
-    {
-      constexpr double even     = 1e-6;
-      double           at_start = 0;
-      for (const double x : grid.across)
-        for (const double u : {-lead_in.s0, 0., lead_in.s0})
-          at_start = std::max(at_start, std::abs(shape.at(x, origin + u).height));
-      if (at_start < even)
-        return;
-      shape.at = [whole = shape.at, origin](const double across, const double along) {
-        IrregularHeight h         = whole(across, along);
-        const auto [share, slope] = passing_over(std::abs(along - origin), lead_in.s0, lead_in.s1);
-        h.along                   = share * h.along + std::copysign(slope, along - origin) * h.height;
-        h.height *= share;
-        h.across *= share;
-        return h;
-      };
-      notes.push_back("Profiles/Rail = " + rail +
-                      ": its section changes where the run starts: the surface "
-                      "goes over to the slices between " +
-                      in_mm(lead_in.s0) + " and " + in_mm(lead_in.s1));
-    }
-
     /// What the wheel cannot touch: deeper than a chord of its circle by more than it is ever pressed in.
     Irregularity
     gap_between(const Range &gap, const double radius)
     {
       const double length = gap.s1 - gap.s0, deep = 0.3e-3 + 0.125 * length * length / radius;
       Irregularity shape;
-      shape.name     = "Profiles";
-      shape.begin    = gap.s0;
-      shape.end      = gap.s1;
-      shape.gap      = true;
-      shape.kinks    = {gap.s0, gap.s1};
+      shape.name   = "Profiles";
+      shape.begin  = gap.s0;
+      shape.end    = gap.s1;
+      shape.gap    = true;
+      shape.kinks  = {gap.s0, gap.s1};
+      shape.second = [middle = 0.5 * (gap.s0 + gap.s1)](double, const double along) {
+        return along > middle;
+      };
       shape.shortest = length;
       shape.measures = {deep, 0};
       shape.at       = [deep](double, double) { return IrregularHeight{-deep, 0, 0}; };
@@ -299,13 +226,14 @@ namespace wheelrail
   {
     constexpr double nothing = 1e-9;
     const Slices     slices  = turned_slices(scene, scene.rail_profile);
-    const SlicedRail sliced  = read_sliced(scene, slices, notes);
-    const double     length  = std::isfinite(sliced.gap.s0) ? sliced.gap.s1 - sliced.gap.s0 : 0,
-                 origin      = -scene.rail_place - start;
-    // four places between two slices and more leave nothing of the splines out, eight nothing in a gap
-    double step = std::clamp(least_distance(slices) / 4, 0.5e-3, 5e-3);
-    if (length > 0)
-      step = std::min(step, length / 8);
+    if (rails_beside(scene, slices))
+      return rise_of_crossing(scene, profiles, start, notes);
+    const SlicedRail sliced = read_sliced(scene, slices, notes);
+    const double     length = std::isfinite(sliced.gap.s0) ? sliced.gap.s1 - sliced.gap.s0 : 0,
+                 origin     = -scene.rail_place - start;
+    const double least      = least_distance(slices.slices);
+    // eight places leave nothing out in a gap
+    const double     step = length > 0 ? std::min(step_along(least), length / 8) : step_along(least);
     const HeightGrid grid = grid_of_rises(scene, profiles, sliced, slice_of_start(scene, slices).along, step);
     Irregularities   list;
     if (length > 0)
@@ -315,11 +243,8 @@ namespace wheelrail
           return std::abs(height) > nothing;
         }))
       return list;
-    Irregularity shape = grid_irregularity(grid, origin, 0, 0);
-    shape.name         = "Profiles";
-    shape.endless      = true;
-    shape.shortest     = 8 * least_distance(slices);
-    lead_into(shape, grid, -start, scene.rail_profile, notes);
+    Irregularity shape  = rise_irregularity(grid, scene.rail_place, start, scene.rail_profile, notes);
+    shape.shortest      = 8 * least;
     const double beside = 30e-3; // the head around the contact
     shape.measures = measures_of(shape, profiles.contact.rail_x - beside, profiles.contact.rail_x + beside);
     list.push_back(shape);

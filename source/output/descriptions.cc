@@ -49,8 +49,8 @@ namespace wheelrail
       {"rail_velocity", "vertical velocity of the running surface of the rail around the wheel, positive up"},
       {"rail_irregularity", "height of the rail's irregularities under the wheel, along the normal"},
       {"wheel_irregularity", "height of the wheel's irregularities on the rail, along the normal"},
-      {"first_rail_force", "vertical force on the wheel of the rail in front of the gap"},
-      {"second_rail_force", "vertical force on the wheel of the rail behind the gap"},
+      {"first_rail_force", "vertical force on the wheel of Profiles/Rail"},
+      {"second_rail_force", "vertical force on the wheel of Profiles/Second rail"},
       {"velocity", "of the wheelset along the track"},
       {"energy_residual", "what the balance of all energies and works misses"}};
 

@@ -236,6 +236,68 @@ namespace wheelrail
     {
       to.insert(to.end(), from.begin(), from.end());
     }
+
+    /// The head, moved, on the lower part of a body.
+    RailProfile
+    on_body(const MeasuredProfile    &profile,
+            const Point2             &move,
+            const RailProfile        &body,
+            std::vector<std::string> &notes)
+    {
+      const auto   head      = running_part(profile.curve, move, body);
+      const Point2 field_end = head.front().start, gauge_end = head.back().end;
+      const auto   field = lower_part(body, field_end, profile.file, "field", notes);
+      const auto   gauge =
+        on_gauge_side(lower_part(body, {-gauge_end.x, gauge_end.y}, profile.file, "gauge", notes));
+      notes.push_back("joined to the sides of " + body.name + " " + in_mm(-field_end.y, 10) +
+                      " (field side) and " + in_mm(-gauge_end.y, 10) +
+                      " (gauge side) below its top; below that it is the body");
+
+      const std::size_t    top     = marks_of(Curve(head)).top_joint;
+      const auto          &all     = body.outline.segments();
+      const std::size_t    half    = body.head.segments().size() / 2;
+      std::vector<Segment> outline = walked_back({head.begin(), head.begin() + top});
+      append(outline, field);
+      append(outline, {all.begin() + half, all.end() - half});
+      append(outline, walked_back(gauge));
+      append(outline, walked_back({head.begin() + top, head.end()}));
+
+      std::vector<Segment> running = walked_back(field);
+      append(running, head);
+      append(running, gauge);
+
+      RailProfile rail;
+      rail.name    = profile.file;
+      rail.outline = Curve(outline);
+      rail.head    = Curve(running);
+      rail.height  = body.height;
+      rail.placed  = profile.placed;
+      return rail;
+    }
+
+    /// A standard rail whose halves stand `width` farther apart [m].
+    RailProfile
+    widened(const RailProfile &body, const double width)
+    {
+      const Point2         apart{0.5 * width, 0};
+      const std::size_t    half = body.head.segments().size() / 2;
+      std::vector<Segment> outline{line_segment("middle of the head", {0, 0}, apart)};
+      for (const Segment &g : body.outline.segments())
+        {
+          const bool field = g.start.x + g.end.x > 0;
+          if (!field && outline.back().end.x > 0)
+            outline.push_back(line_segment("middle of the foot", outline.back().end, g.start - apart));
+          outline.push_back(moved(g, field ? apart : -1. * apart));
+        }
+      outline.push_back(line_segment("middle of the head", -1. * apart, {0, 0}));
+      RailProfile          wide = body;
+      std::vector<Segment> head =
+        walked_back({outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(half) + 1});
+      append(head, walked_back({outline.end() - static_cast<std::ptrdiff_t>(half) - 1, outline.end()}));
+      wide.outline = Curve(outline);
+      wide.head    = Curve(head);
+      return wide;
+    }
   } // namespace
 
 
@@ -258,34 +320,34 @@ namespace wheelrail
     const Point2      move = profile.placed ? Point2{0, -marks.top} : find_move(marks, body, notes);
     if (profile.placed)
       notes.push_back("moved by " + in_mm(move.y) + ": top to y = 0; x = 0 lies on the running circle");
-    const auto   head      = running_part(profile.curve, move, body);
-    const Point2 field_end = head.front().start, gauge_end = head.back().end;
-    const auto   field = lower_part(body, field_end, profile.file, "field", notes);
-    const auto   gauge =
-      on_gauge_side(lower_part(body, {-gauge_end.x, gauge_end.y}, profile.file, "gauge", notes));
-    notes.push_back("joined to the sides of " + body.name + " " + in_mm(-field_end.y, 10) +
-                    " (field side) and " + in_mm(-gauge_end.y, 10) +
-                    " (gauge side) below its top; below that it is the body");
+    return on_body(profile, move, body, notes);
+  }
 
-    const std::size_t    top     = marks_of(Curve(head)).top_joint;
-    const auto          &all     = body.outline.segments();
-    const std::size_t    half    = body.head.segments().size() / 2;
-    std::vector<Segment> outline = walked_back({head.begin(), head.begin() + top});
-    append(outline, field);
-    append(outline, {all.begin() + half, all.end() - half});
-    append(outline, walked_back(gauge));
-    append(outline, walked_back({head.begin() + top, head.end()}));
 
-    std::vector<Segment> running = walked_back(field);
-    append(running, head);
-    append(running, gauge);
-
-    RailProfile rail;
-    rail.name    = profile.file;
-    rail.outline = Curve(outline);
-    rail.head    = Curve(running);
-    rail.height  = body.height;
-    rail.placed  = profile.placed;
+  RailProfile
+  wide_rail(const MeasuredProfile &profile, const std::string &body, std::vector<std::string> &notes)
+  {
+    const HeadMarks marks = marks_of(profile.curve);
+    check_gauge_side(marks, profile);
+    const RailProfile standard = rail_profile(body);
+    const double      middle   = 0.5 * (*marks.field + *marks.gauge),
+                 width         = *marks.field - *marks.gauge - 2 * half_width(standard);
+    // the lower side is deeper than that of a usual head, so that wide blocks find room in it
+    constexpr double room   = 14e-3;
+    const double     deeper = room + std::abs(profile.curve.at(0).position.y -
+                                          profile.curve.at(profile.curve.parameter_end()).position.y);
+    RailProfile      rail =
+      on_body(profile, {-middle, deeper - marks.top}, width > 0 ? widened(standard, width) : standard, notes);
+    rail.height += deeper;
+    if (width > 0)
+      notes.push_back("the body is " + body + " widened in its middle by " + in_mm(width, 10));
+    for (Curve *curve : {&rail.outline, &rail.head})
+      {
+        std::vector<Segment> segments;
+        for (const Segment &g : curve->segments())
+          segments.push_back(moved(g, {middle, -deeper}));
+        *curve = Curve(segments);
+      }
     return rail;
   }
 } // namespace wheelrail

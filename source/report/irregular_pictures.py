@@ -15,7 +15,8 @@ def surfaces(run):
 
 def curves(run):
     """Title, label of the axis, and (column, factor) of what belongs together; what the history lacks is left out."""
-    known = [("Axle box", "axle box [m/s2]", [("axle_acceleration", 1)]),
+    known = [("Both rails", "force [kN]", [("first_rail_force", 1e-3), ("second_rail_force", 1e-3)]),
+             ("Axle box", "axle box [m/s2]", [("axle_acceleration", 1)]),
              ("Rail around the wheel", "rail [m/s]", [("rail_velocity", 1)]),
              ("Largest von Mises stress", "stress [MPa]", [("max_von_mises", 1e-6)]),
              ("Heights under the wheel", "height [um]", [(name, 1e6) for name in surfaces(run)])]

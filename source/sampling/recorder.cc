@@ -122,9 +122,9 @@ namespace wheelrail
         row.put("rail_velocity", "m/s", model_.contact->mean_velocity(Body::rail)[1]);
         row.put("rail_irregularity", "m", surfaces.rail.at(0, on_rail).n - surfaces.rail.smooth(0).n);
         row.put("wheel_irregularity", "m", surfaces.wheel.smooth(0).n - surfaces.wheel.at(0, on_wheel).n);
-        if (const Range gap = surfaces.rail.gap(); std::isfinite(gap.s0))
+        if (surfaces.rail.has_second_rail())
           {
-            const double second = model_.contact->force_beyond(0.5 * (gap.s0 + gap.s1))[1];
+            const double second = model_.contact->force_of_second_rail()[1];
             row.put("first_rail_force", "N", c.force[1] - second);
             row.put("second_rail_force", "N", second);
           }

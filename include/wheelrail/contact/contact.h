@@ -130,9 +130,9 @@ namespace wheelrail
     void
     set_state(const State &state);
 
-    /// Force on the wheel of the rail nodes that lie beyond Z = `place` [m], as last evaluated [N].
+    /// Force on the wheel of the rail nodes on the second of two rails, as last evaluated [N].
     Vector3
-    force_beyond(double place) const;
+    force_of_second_rail() const;
 
     /// Mean velocity of the nodes of a body in the window, those of the last gather() [m/s].
     Vector3

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,8 +18,9 @@ namespace wheelrail
   /// How large and steep an irregularity is.
   struct IrregularMeasures
   {
-    double largest  = 0; ///< height or depth [m]
-    double steepest = 0; ///< slope along or across
+    double largest  = 0;        ///< height or depth [m]
+    double steepest = 0;        ///< slope along or across
+    double touched  = HUGE_VAL; ///< slope along where a wheel can touch, at most, where that is known
   };
 
   /// What carries an irregularity in a run: each is carried as a whole by one of them.
@@ -39,8 +41,10 @@ namespace wheelrail
     double                                         begin = 0, end = 0; ///< along [m]
     std::function<IrregularHeight(double, double)> at;                 ///< of places across and along within
     std::vector<double>                            kinks; ///< places along where the slope jumps [m]
-    bool              endless = false; ///< before and behind the heights of its ends hold, else there is none
-    bool              gap     = false; ///< between two rails, too deep to carry; the second begins at its end
+    bool endless = false; ///< before and behind the heights of its ends hold, else there is none
+    bool gap     = false; ///< between two rails one behind the other, too deep to carry
+    std::function<bool(double, double)>
+                      second; ///< whether a place across and along is on the second of two rails
     CarriedBy         carried = CarriedBy::offset;
     IrregularMeasures measures;
     double shortest = 0; ///< length over which it rises and falls [m]: what cells and patch have to follow

@@ -98,6 +98,12 @@ namespace wheelrail
     Range
     gap() const;
 
+    /// Whether two rails lie under the wheel, and whether a reference point is on the second of them.
+    bool
+    has_second_rail() const;
+    bool
+    on_second_rail(const Vector3 &X) const;
+
     /// How far the surface protrudes beyond a reference point X of a facet, along the outward normal of the
     /// section [m]; positive over the chords of a convex profile.
     double
@@ -125,6 +131,10 @@ namespace wheelrail
     /// heights of its edge hold.
     Vector3
     moved(const Vector3 &X) const;
+
+    /// Where such a point of the surface lay on the smooth one.
+    Place
+    unmoved(const Vector3 &X) const;
 
     /// The exact smooth section.
     const FrameProfile &

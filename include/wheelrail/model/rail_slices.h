@@ -18,8 +18,20 @@ namespace wheelrail
   const Slices::Slice &
   slice_of_start(const ProfileSettings &scene, const Slices &slices);
 
-  /// The gap between two rails one behind the other along the slices [m]; infinitely far for one rail. Throws
-  /// InputError for rails beside each other and for a path that leaves the slices.
+  /// The least distance of two slices [m].
+  double
+  least_distance(const std::vector<Slices::Slice> &slices);
+
+  /// Steps along for such a distance: four places between two slices leave nothing of the splines out [m].
+  double
+  step_along(double least);
+
+  /// Whether the second rail stands beside the first, as a nose beside its wing.
+  bool
+  rails_beside(const ProfileSettings &scene, const Slices &slices);
+
+  /// The gap between two rails one behind the other along the slices [m]; infinitely far for one rail, and
+  /// for rails beside each other. Throws InputError for a path that leaves the slices.
   Range
   gap_of_rails(const Scene &scene, const Slices &slices);
 

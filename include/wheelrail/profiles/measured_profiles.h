@@ -20,6 +20,11 @@ namespace wheelrail
   RailProfile
   measured_rail(const MeasuredProfile &profile, const std::string &body, std::vector<std::string> &notes);
 
+  /// A head that is wider than those of standard rails, on `body` widened in its middle by as much: head, web
+  /// and foot have straight pieces there. x = 0 stays that of the file, the top becomes y = 0.
+  RailProfile
+  wide_rail(const MeasuredProfile &profile, const std::string &body, std::vector<std::string> &notes);
+
   /// A tread from flange back to rim face with a measured running surface, in the frame of the
   /// running circle 70 mm from the flange back: moved there as `origin` says, and in height so that the
   /// running circle has y = 0. Automatic is: by the flange back where it was measured, otherwise by the

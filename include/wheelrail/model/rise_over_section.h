@@ -1,0 +1,40 @@
+#pragma once
+
+#include <wheelrail/geometry/irregularity.h>
+#include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/profiles/height_grid.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Within this distance of the start a rail by slices keeps its section [m]; from there on it goes over to
+  /// that of the slices, up to the second [m].
+  constexpr Range lead_in = {10e-3, 60e-3};
+
+  /// A point of the smooth rail with its tangent and outward normal, in the section.
+  struct Foot
+  {
+    Point2 position, tangent, normal;
+  };
+
+  /// The rail around the contact, across each 0.5 mm, where it is no steeper than 4 against the contact.
+  std::vector<Foot>
+  feet_of(const TouchingProfiles &profiles);
+
+  /// 0 up to `from`, 1 from `to` on, and the slope of what goes over smoothly between them.
+  std::pair<double, double>
+  passing_over(double at, double from, double to);
+
+  /// The irregularity of rises over the section of a mesh, whose rail begins at `begin` of the slices,
+  /// `start` behind the first contact of the wheel [m]. Where sections change there it keeps that section
+  /// within the lead-in, told with the name of the `rail`.
+  Irregularity
+  rise_irregularity(const HeightGrid         &grid,
+                    double                    begin,
+                    double                    start,
+                    const std::string        &rail,
+                    std::vector<std::string> &notes);
+} // namespace wheelrail

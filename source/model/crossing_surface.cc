@@ -1,0 +1,405 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/parallel.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/model/crossing_surface.h>
+#include <wheelrail/model/rail_slices.h>
+#include <wheelrail/model/rise_over_section.h>
+#include <wheelrail/sections/posed_wheel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double nothing = -HUGE_VAL;
+    constexpr double spacing = 0.25e-3; // across [m]
+    constexpr double near    = 0.3e-3;  // of the wheel: under load it comes there [m]
+
+    /// The lowest line of the wheel over places across, running circle at the height 0 [m].
+    struct WheelLine
+    {
+      std::vector<double> across, height;
+    };
+
+    /// Around the running circle, as far as it is no steeper than a strip of fine cells may be.
+    WheelLine
+    wheel_line(const Scene &scene, const WheelProfile &profile)
+    {
+      constexpr double steepest = 0.6, below = -30e-3;
+      constexpr int    reach = 320;
+      const PosedWheel wheel(profile, scene.track, wheelset_pose(scene));
+      const Placement  rail{{}, -std::atan(scene.track.inclination)};
+      const Point2     up = rail.to_track({0, 1});
+      const auto       at = [&](const int i) {
+        const Point2 p        = rail.to_track({i * spacing, below});
+        const auto   distance = wheel.distance({p.x, p.y, 0}, {up.x, up.y, 0}, 0);
+        return distance ? below + *distance : HUGE_VAL;
+      };
+      const auto end = [&](const int step) {
+        int i = 0;
+        while (std::abs(i) < reach && std::abs(at(i + step) - at(i)) < steepest * spacing)
+          i += step;
+        return i;
+      };
+      WheelLine line;
+      for (int i = end(-1); i <= end(1); ++i)
+        {
+          line.across.push_back(i * spacing);
+          line.height.push_back(at(i));
+        }
+      return line;
+    }
+
+    /// Heights of a section over places across, and of lines that fall from its edges 1:1.
+    std::vector<double>
+    heights_of(const SectionColumn &column, const std::vector<double> &across)
+    {
+      constexpr double    steepest = 3;
+      std::vector<double> height(across.size(), nothing);
+      struct End
+      {
+        double x, y, slope;
+      };
+      const auto end = [&](const std::size_t k) {
+        const SectionColumn::Point p = column.at(column.arc(static_cast<double>(column.first() + k)));
+        return End{-p.position.x, p.position.y, -p.tangent.y / p.tangent.x};
+      };
+      for (std::size_t k = 1; k < column.points().size(); ++k)
+        {
+          End a = end(k - 1), b = end(k);
+          if (a.x > b.x)
+            std::swap(a, b);
+          const double dx = b.x - a.x;
+          if (!(std::abs(b.y - a.y) < steepest * dx && std::abs(a.slope) < steepest &&
+                std::abs(b.slope) < steepest))
+            continue;
+          const auto first = std::lower_bound(across.begin(), across.end(), a.x) - across.begin();
+          for (auto i = static_cast<std::size_t>(first); i < across.size() && across[i] <= b.x; ++i)
+            {
+              const double t = (across[i] - a.x) / dx, d = b.y - a.y; // cubic between two points
+              height[i] = std::max(height[i],
+                                   a.y + t * (a.slope * dx + t * (3 * d - (2 * a.slope + b.slope) * dx +
+                                                                  t * ((a.slope + b.slope) * dx - 2 * d))));
+            }
+        }
+      for (std::size_t i = 1; i < height.size(); ++i)
+        height[i] = std::max(height[i], height[i - 1] - spacing);
+      for (std::size_t i = height.size() - 1; i > 0; --i)
+        height[i - 1] = std::max(height[i - 1], height[i] - spacing);
+      return height;
+    }
+
+    /// Width of a head 5 mm below its top [m].
+    double
+    width_of(const SectionColumn &column)
+    {
+      constexpr double depth = 5e-3;
+      double           top = -HUGE_VAL, low = HUGE_VAL, high = -HUGE_VAL;
+      for (const Point2 &p : column.points())
+        top = std::max(top, p.y);
+      for (const Point2 &p : column.points())
+        if (p.y > top - depth)
+          {
+            low  = std::min(low, p.x);
+            high = std::max(high, p.x);
+          }
+      return high - low;
+    }
+
+    /// The larger of two heights, rounded where they differ by less than 0.4 mm, up to the second derivative.
+    double
+    higher(const double a, const double b)
+    {
+      constexpr double round = 0.4e-3;
+      const double     rest  = std::max(0., 1 - std::abs(a - b) / round);
+      return std::max(a, b) + round / 6 * rest * rest * rest;
+    }
+
+    /// How far the highest place of heights stands over the lowest line of the wheel [m].
+    double
+    over_wheel(const std::vector<double> &height, const std::vector<double> &wheel)
+    {
+      double most = nothing;
+      for (std::size_t i = 0; i < wheel.size(); ++i)
+        most = std::max(most, height[i] - wheel[i]);
+      return most;
+    }
+  } // namespace
+
+
+  /// One of the two rails over the places of a surface.
+  struct CrossingSurface::OneRail
+  {
+    std::string                      entry;     ///< with its value
+    std::vector<std::vector<double>> height;    ///< [along][across] [m]
+    Range                            ends;      ///< where it is [m]
+    double                           sinks = 0; ///< length of an end [m]
+  };
+
+
+  void
+  CrossingSurface::lay_places(const ProfileSettings &scene, const double distance)
+  {
+    constexpr double beside = 0.1;
+    double           least  = HUGE_VAL;
+    slices_                 = {HUGE_VAL, -HUGE_VAL};
+    for (const std::string &path : {scene.rail_profile, scene.second_rail})
+      {
+        const auto slices = turned_slices(scene, path).slices;
+        least             = std::min(least, least_distance(slices));
+        slices_ = {std::min(slices_.s0, slices.front().along), std::max(slices_.s1, slices.back().along)};
+      }
+    shortest          = 8 * least;
+    const double step = step_along(least);
+    start             = static_cast<std::size_t>(std::ceil(beside / step));
+    const auto n      = start + static_cast<std::size_t>(std::ceil((distance + beside) / step));
+    for (std::size_t k = 0; k <= n; ++k)
+      along.push_back(scene.rail_place + (static_cast<double>(k) - static_cast<double>(start)) * step);
+  }
+
+
+  CrossingSurface::OneRail
+  CrossingSurface::read_rail(const Scene              &scene,
+                             const std::string        &name,
+                             const std::string        &path,
+                             std::vector<std::string> &notes) const
+  {
+    const SectionsSurface rail  = read_rail_slices(scene, "Profiles/" + name, path, {}, notes);
+    const double          least = 3 * scene.cell_size;
+    const std::size_t     n     = along.size();
+    OneRail one{entry_text(scene, "Profiles", name), {}, {rail.begin(), rail.end()}, std::max(least, 10e-3)};
+    std::vector<SectionColumn> columns(n);
+    for (const double place : along)
+      rail.refuse_jump(std::clamp(place, slices_.s0, slices_.s1));
+    parallel_for(n, [&](const std::size_t k) {
+      columns[k] = rail.column(std::clamp(along[k], slices_.s0, slices_.s1));
+    });
+    const auto  there = [&](const std::size_t k) { return !columns[k].empty(); };
+    const auto  thick = [&](const std::size_t k) { return there(k) && width_of(columns[k]) >= least; };
+    std::size_t first = 0, last = n - 1;
+    while (first < n && !thick(first))
+      ++first;
+    if (first == n)
+      throw InputError(one.entry + ": its head is thinner than three cells, " + in_mm(least) +
+                       ", all along the path, or is not there; take a smaller Mesh/Solution cell size");
+    while (!thick(last))
+      --last;
+    const std::string thin = " of it is cut off, where its head is thinner than three cells, " +
+                             in_mm(least) + ", 5 mm below its top";
+    if (first > 0 && there(first - 1))
+      {
+        one.ends.s0 = along[first];
+        notes.push_back(one.entry + ": what lies in front of " + in_mm(along[first]) + thin);
+      }
+    if (last + 1 < n && there(last + 1))
+      {
+        one.ends.s1 = along[last];
+        notes.push_back(one.entry + ": what lies behind " + in_mm(along[last]) + thin);
+      }
+    one.height.assign(n, std::vector<double>(across.size(), nothing));
+    parallel_for(n, [&](const std::size_t k) {
+      if (k >= first && k <= last && there(k))
+        one.height[k] = heights_of(columns[k], across);
+    });
+    return one;
+  }
+
+
+  /// How far an end of a rail among others lets it sink at a place [m].
+  double
+  CrossingSurface::sunk(const OneRail &rail, const double place) const
+  {
+    double share = 1;
+    if (rail.ends.s0 > slices_.s0)
+      share *= passing_over(place - rail.ends.s0, 0, rail.sinks).first;
+    if (rail.ends.s1 < slices_.s1)
+      share *= passing_over(rail.ends.s1 - place, 0, rail.sinks).first;
+    return 2 * below * (1 - share);
+  }
+
+
+  /// Heights g of what the wheel sweeps over the highest places of the rails [m], and how far ahead of the
+  /// axle or behind it the wheel touches.
+  std::vector<double>
+  CrossingSurface::swept(const std::vector<double> &highest, const double radius)
+  {
+    const std::size_t   n = along.size();
+    std::vector<double> wheel(n, nothing), heights(n, HUGE_VAL);
+    const auto          circle = [&](const std::size_t a, const std::size_t k) {
+      return (along[k] - along[a]) * (along[k] - along[a]) / (2 * radius);
+    };
+    double farthest = 0;
+    for (std::size_t a = 0; a < n; ++a)
+      {
+        std::size_t at = a;
+        for (std::size_t k = 0; k < n; ++k)
+          if (const double touches = highest[k] - circle(a, k); touches > wheel[a])
+            {
+              wheel[a] = touches;
+              at       = k;
+            }
+        farthest = std::max(farthest, std::abs(along[at] - along[a]));
+      }
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t a = 0; a < n; ++a)
+        heights[k] = std::min(heights[k], wheel[a] + circle(a, k));
+    constexpr double more = 5e-3; // under load patches reach beyond the point of touch
+    slope                 = farthest / radius + more;
+    return heights;
+  }
+
+
+  void
+  CrossingSurface::fill(const std::vector<OneRail> &rails,
+                        const std::vector<double>  &wheel,
+                        const double                radius,
+                        std::vector<std::string>   &notes)
+  {
+    const std::size_t n = along.size(), m = across.size();
+    height.assign(n, std::vector<double>(m, nothing));
+    second_.assign(n, std::vector<char>(m, 0));
+    std::vector<double> highest(n);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        for (const OneRail &rail : rails)
+          for (std::size_t i = 0; i < m; ++i)
+            height[k][i] = std::max(height[k][i], rail.height[k][i] - sunk(rail, along[k]));
+        for (std::size_t i = 0; i < m; ++i)
+          second_[k][i] = rails.back().height[k][i] > rails.front().height[k][i];
+        highest[k] = over_wheel(height[k], wheel);
+      }
+    if (*std::max_element(highest.begin(), highest.end()) == nothing)
+      throw InputError("wheel and rails by slices do not lie over each other all along the path");
+    const std::vector<double> heights = swept(highest, radius);
+    std::size_t               first = m, end = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < m; ++i)
+        {
+          const double wheel_there = wheel[i] + heights[k];
+          if (height[k][i] > wheel_there - near)
+            {
+              first = std::min(first, i);
+              end   = std::max(end, i + 1);
+            }
+          height[k][i] = higher(height[k][i], wheel_there - below);
+        }
+    tell_ends(rails, wheel, heights, notes);
+    keep(first, end);
+  }
+
+
+  /// Tells of ends that the wheel comes near.
+  void
+  CrossingSurface::tell_ends(const std::vector<OneRail> &rails,
+                             const std::vector<double>  &wheel,
+                             const std::vector<double>  &heights,
+                             std::vector<std::string>   &notes) const
+  {
+    const auto comes_near = [&](const OneRail &rail, const double place) {
+      constexpr double beside = 10e-3; // of the path
+      if (place < along[start] - beside || place > along.back() - along[start] + along.front() + beside)
+        return false;
+      const auto k =
+        static_cast<std::size_t>(std::lower_bound(along.begin(), along.end(), place) - along.begin());
+      return over_wheel(rail.height[k], wheel) > heights[k] - near;
+    };
+    for (const OneRail &rail : rails)
+      for (const bool front : {true, false})
+        {
+          const double end = front ? rail.ends.s0 : rail.ends.s1;
+          if ((front ? end > slices_.s0 : end < slices_.s1) &&
+              comes_near(rail, front ? end + rail.sinks : end - rail.sinks - (along[1] - along[0])))
+            notes.push_back(rail.entry + (front ? ": begins at " : ": ends at ") + in_mm(end) +
+                            " within reach of the wheel: its surface sinks there over " + in_mm(rail.sinks) +
+                            ", and what the wheel does there is not that of a square end");
+        }
+  }
+
+
+  void
+  CrossingSurface::keep(std::size_t first, std::size_t end)
+  {
+    const auto beside = static_cast<std::size_t>(20e-3 / spacing);
+    const auto circle = static_cast<std::size_t>( // 2D-Geo looks from there
+      std::lower_bound(across.begin(), across.end(), -0.5 * spacing) - across.begin());
+    first             = std::min(first, circle);
+    end               = std::max(end, circle + 1);
+    first             = first > beside ? first - beside : 0;
+    end               = std::min(across.size(), end + beside);
+    const auto cut    = [&](auto &row) {
+      row = {row.begin() + static_cast<std::ptrdiff_t>(first),
+             row.begin() + static_cast<std::ptrdiff_t>(end)};
+    };
+    cut(across);
+    for (std::size_t k = 0; k < along.size(); ++k)
+      {
+        cut(height[k]);
+        cut(second_[k]);
+      }
+  }
+
+
+  CrossingSurface::CrossingSurface(const Scene              &scene,
+                                   const WheelProfile       &profile,
+                                   std::vector<std::string> &notes)
+  {
+    const WheelLine wheel = wheel_line(scene, profile);
+    across                = wheel.across;
+    lay_places(scene, scene.mesh_distance());
+    fill({read_rail(scene, "Rail", scene.rail_profile, notes),
+          read_rail(scene, "Second rail", scene.second_rail, notes)},
+         wheel.height,
+         scene.track.nominal_radius,
+         notes);
+  }
+
+
+  bool
+  CrossingSurface::on_second(const double x, const double place) const
+  {
+    const auto nearest = [](const std::vector<double> &places, const double at) {
+      const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+      return static_cast<std::size_t>(
+        std::clamp(std::round((at - places.front()) / step), 0., static_cast<double>(places.size() - 1)));
+    };
+    return second_[nearest(along, place)][nearest(across, x)] != 0;
+  }
+
+
+  std::vector<Point2>
+  CrossingSurface::section_of_start() const
+  {
+    constexpr double           radius = 13e-3, turn = 0.5e-3 / radius, side = 20e-3, step = 1e-3;
+    const std::vector<double> &top = height[start];
+    std::vector<Point2>        points;
+    for (std::size_t i = across.size(); i-- > 0;)
+      if (i % 2 == 0) // each 0.5 mm
+        points.push_back({across[i], top[i]});
+    const double steep = std::atan(20.);
+    for (const int sign : {1, -1}) // the field side is put in front, the gauge side behind
+      {
+        const Point2 a            = sign > 0 ? points[1] : points[points.size() - 2],
+                     b            = sign > 0 ? points[0] : points.back();
+        const double        begin = std::atan2(a.y - b.y, sign * (b.x - a.x)); // angle downwards
+        const Point2        centre{b.x - sign * radius * std::sin(begin), b.y - radius * std::cos(begin)};
+        std::vector<Point2> end;
+        const int           n = static_cast<int>(std::ceil((steep - begin) / turn));
+        for (int k = 1; k <= n; ++k)
+          {
+            const double angle = begin + (steep - begin) * k / n;
+            end.push_back({centre.x + sign * radius * std::sin(angle), centre.y + radius * std::cos(angle)});
+          }
+        const Point2 low = end.back();
+        for (double down = step; down < side; down += step)
+          end.push_back({low.x + sign * down / 20, low.y - down});
+        if (sign > 0)
+          points.insert(points.begin(), end.rbegin(), end.rend());
+        else
+          points.insert(points.end(), end.begin(), end.end());
+      }
+    return points;
+  }
+} // namespace wheelrail
