@@ -68,11 +68,12 @@ namespace
     check_text(scene.rail_profile, "kept/even.slcs", "slices stay where they are");
     check_text(changed_since_start(scene, "kept/changed"), "", "and are as they were");
     write("kept/section.txt", "0 0\n1 0\n2 0\n3 0\n");
-    check_text(changed_since_start(scene, "kept/changed"),
-               "Profiles/Rail = kept/even.slcs: this file or one of its slices has changed since the run "
-               "began, which has kept it as kept/changed/profiles/rail_even.slcs.txt; set it back to that, or "
-               "start anew in another Output/Folder",
-               "a slice that has changed");
+    check_text(
+      changed_since_start(scene, "kept/changed"),
+      "Profiles/Rail = kept/even.slcs: this file or one of its slices has changed since the run "
+      "began, which has kept it as kept/changed/profiles/rail_even.slcs.txt; set it back to that, or "
+      "start anew in another Output/Folder",
+      "a slice that has changed");
   }
 } // namespace
 
