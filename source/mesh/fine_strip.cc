@@ -80,9 +80,9 @@ namespace wheelrail
     hull.s0 -= margin;
     hull.s1 += margin;
 
-    // a width that is a whole number of blocks but for round-off gets no further one
-    // One that is so wide that its blocks fit nearly, over two rails, stays as it is, and ends where gauge
-    // corner or flange root turn away from the plane that its blocks are parallel to.
+    // a width that is a whole number of blocks but for round-off gets no further one; one that is so wide
+    // that its blocks fit nearly, over two rails, stays as it is, and ends where gauge corner or flange root
+    // turn away from the plane that its blocks are parallel to.
     constexpr double many = 4, turned = 0.45, free = 1;
     const double     wanted = (hull.s1 - hull.s0) / block_size;
     const double     blocks = wanted > many ? wanted : std::max(1., std::ceil(wanted - 1e-9));
@@ -90,7 +90,8 @@ namespace wheelrail
     // the wheel's chamfer ends its running layer, which needs a rest beside the strip (make_running_layer())
     constexpr double chamfer = 0.5, rest = 0.3;
     Range            limits = strip_limits(wheel, rail, wanted > many ? turned : free);
-    limits.s0 = std::max(limits.s0, steep_from(wheel, wheel.s_min(), chamfer) + rest * block_size);
+    if (wanted > many)
+      limits.s0 = std::max(limits.s0, steep_from(wheel, wheel.s_min(), chamfer) + rest * block_size);
     const Range strip{std::max(limits.s0, middle - 0.5 * blocks * block_size),
                       std::min(limits.s1, middle + 0.5 * blocks * block_size)};
     // narrower strips would have cells of less than a tenth of the wanted width

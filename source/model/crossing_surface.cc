@@ -187,18 +187,16 @@ namespace wheelrail
                        ", all along the path, or is not there; take a smaller Mesh/Solution cell size");
     while (!thick(last))
       --last;
-    const std::string thin = " of it is cut off, where its head is thinner than three cells, " +
-                             in_mm(least) + ", 5 mm below its top";
+    const auto cut_off = [&](const char *where, const double end) {
+      notes.push_back(one.entry + ": what lies " + where + in_mm(end) +
+                      " of it is cut off, where its head is thinner than three cells, " + in_mm(least) +
+                      ", 5 mm below its top");
+      return end;
+    };
     if (first > 0 && there(first - 1))
-      {
-        one.ends.s0 = along[first];
-        notes.push_back(one.entry + ": what lies in front of " + in_mm(along[first]) + thin);
-      }
+      one.ends.s0 = cut_off("in front of ", along[first]);
     if (last + 1 < n && there(last + 1))
-      {
-        one.ends.s1 = along[last];
-        notes.push_back(one.entry + ": what lies behind " + in_mm(along[last]) + thin);
-      }
+      one.ends.s1 = cut_off("behind ", along[last]);
     one.height.assign(n, std::vector<double>(across.size(), nothing));
     parallel_for(n, [&](const std::size_t k) {
       if (k >= first && k <= last && there(k))
@@ -272,7 +270,7 @@ namespace wheelrail
         highest[k] = over_wheel(height[k], wheel);
       }
     if (*std::max_element(highest.begin(), highest.end()) == nothing)
-      throw InputError("wheel and rails by slices do not lie over each other all along the path");
+      throw InputError("wheel and rails by slices do not lie over each other");
     const std::vector<double> heights = swept(highest, radius);
     std::size_t               first = m, end = 0;
     for (std::size_t k = 0; k < n; ++k)
