@@ -164,7 +164,8 @@ namespace wheelrail
   void
   read_sliced_rail(const Scene &scene, SceneProfiles &profiles)
   {
-    const std::string entry = "Profiles/Rail", &path = scene.rail_profile;
+    const std::string entry = "Profiles/Rail", &path = scene.rail_profile,
+                      given = entry + " = " + path + ": ";
     try
       {
         const Slices slices = turned_slices(scene, path);
@@ -174,7 +175,7 @@ namespace wheelrail
                                                          : rail_of_slice(scene, slices, profiles, of);
         profiles.rail.name = path;
         for (const std::string &note : note_lines(of))
-          profiles.notes.push_back(entry + " = " + path + ": " + note);
+          profiles.notes.push_back(given + note);
       }
     catch (const InputError &error)
       {
