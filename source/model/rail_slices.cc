@@ -53,11 +53,20 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    bool
+    lie_beside(const Slices &first, const Slices &second)
+    {
+      return second.slices.front().along <= first.slices.back().along;
+    }
+  } // namespace
+
+
   bool
   rails_beside(const ProfileSettings &scene, const Slices &slices)
   {
-    return scene.second_rail != "none" &&
-           turned_slices(scene, scene.second_rail).slices.front().along <= slices.slices.back().along;
+    return scene.second_rail != "none" && lie_beside(slices, turned_slices(scene, scene.second_rail));
   }
 
 
@@ -71,7 +80,7 @@ namespace wheelrail
       {
         const Slices second = turned_slices(scene, scene.second_rail);
         last                = std::max(end, second.slices.back().along);
-        if (rails_beside(scene, slices))
+        if (lie_beside(slices, second))
           {
             first = std::min(first, second.slices.front().along);
             end   = last;
