@@ -6,7 +6,8 @@ Usage: contact_testbank.py FOLDER [--program build/wheelrail] [--cases] [--csv T
 FOLDER holds NAME.inp with NAME.ref_out beside it, in any depth. A row a file: what its cases need, cases, taken,
 refused, not within the limits, the worst difference over its limit and where, processor seconds. Limits: forces
 0.5 % of the load, moments that times half the patch, peak pressure and approach 0.5 %, creepage and number of
-elements 1 %, place 0.05 mm, angle 1 mrad; four printed digits may add one unit of the last.
+elements 1 %, place 0.05 mm, angle 1 mrad; four printed digits may add one unit of the last. A case whose temperatures had
+not settled when CONTACT stopped is named and not compared.
 """
 
 import argparse
@@ -49,6 +50,8 @@ def cases_of(path):
         if not found:
             continue
         case = found[-1]
+        if "|Tk-Tk-1|" in line: # a round of CONTACT's friction by temperature: change, tolerance
+            case["change"] = numbers(line.split(":")[-1])
         if re.match(r"^ *(C?PBTNFS|V?LDCMZE|HGIAOWR)\.", line):
             case["digits"].update({name: int(value) for name, value in re.findall(r"([A-Z]+)\s*(\d)(?=,|\s|$)", line)})
         if "DATA FOR CONTACT PATCH" in line:
@@ -161,7 +164,7 @@ def main():
     parser.add_argument("--cases", action="store_true", help="a line for each case beyond its limits")
     parser.add_argument("--csv", help="write the table there, too")
     options = parser.parse_args()
-    rows = []
+    rows, unsettled = [], []
     print(f"{'file':34} {'needs':24} {'cases':>6} {'taken':>6} {'refused':>8} {'beyond':>7} {'worst':>7} {'of':12} "
           f"{'case':>5} {'s':>7}")
     for folder, _, files in sorted(os.walk(options.folder)):
@@ -182,6 +185,10 @@ def main():
                 taken += 1
                 if not b["patches"] and not b["head"]:
                     continue
+                change = b.get("change", [0, 1])
+                if change[0] > change[1]:
+                    unsettled.append(f"{name} {k + 1} ({change[0]:.3g} C)")
+                    continue
                 found = compare_case(a, b)
                 far = {key: value for key, value in found.items() if value > 1}
                 beyond += bool(far)
@@ -197,6 +204,8 @@ def main():
             rows.append(row)
             print(f"{row[0][-34:]:34} {row[1][:24]:24} {row[2]:6} {row[3]:6} {row[4]:8} {row[5]:7} {row[6]:7} "
                   f"{row[7]:12} {row[8]:5} {row[9]:7}", flush=True)
+    if unsettled:
+        print("CONTACT stopped while temperatures still changed in " + ", ".join(unsettled))
     sums = [sum(row[k] for row in rows) for k in range(2, 6)]
     print(f"{'all':59} {sums[0]:6} {sums[1]:6} {sums[2]:8} {sums[3]:7}")
     if options.csv:

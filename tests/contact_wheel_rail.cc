@@ -6,10 +6,13 @@
 #include "contact_inputs.h"
 #include "reference_table.h"
 
+#include <wheelrail/contactfiles/gap_search.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
+#include <wheelrail/contactfiles/rail_shape.h>
 #include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/contactfiles/solve_cases.h>
+#include <wheelrail/contactfiles/wheel_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -182,6 +185,26 @@ namespace
       "x.inp:13: CURV other than 0 (a curved track) is not computed; taken are straight tracks",
       "a curve");
   }
+
+  /// A wheel that leans and has yaw comes nearest beside its axle: over a roller less far, by the radii.
+  void
+  test_roller_locus(ContactCase one)
+  {
+    one.wheelset.position[3] = 0.05;
+    one.wheelset.position[4] = 0.02;
+    const auto nearest       = [&](const double roller) {
+      one.track.roller_radius = roller;
+      const RailShape     rail(one);
+      const WheelShape    wheel(one);
+      const WheelRailPose pose = wheel_rail_pose(one, rail.middle());
+      const auto          gaps = gap_places(pose, rail.middle(), wheel.middle(), 1e-4);
+      return *std::min_element(
+        gaps.begin(), gaps.end(), [](const GapPlace &a, const GapPlace &b) { return a.gap < b.gap; });
+    };
+    const GapPlace flat = nearest(4e7), round = nearest(400);
+    check(std::abs(flat.x) > 1e-4, "a wheel with yaw touches beside its axle");
+    check_relative(round.x / flat.x, 400 / (400 + 133.33333), 2e-3, "over a roller by the radii");
+  }
 } // namespace
 
 int
@@ -200,6 +223,7 @@ main()
   compare_printed(cases, results, "contact_wheel_rail.csv");
   const std::vector<ContactCase> rollers = read_inp_file("rollers.inp");
   compare_printed(rollers, solve_cases(rollers), "contact_rollers.csv");
+  test_roller_locus(rollers[0]);
   compare_sides(*results[0].wheel_rail, *results[3].wheel_rail);
   check_relative(results[4].wheel_rail->pitch_rate, -0.996, 1e-4, "the pitch rate of a force");
   check_near(results[4].wheel_rail->force_wheelset[0], -37.82, 0.01, "the force given");

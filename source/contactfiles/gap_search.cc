@@ -11,19 +11,56 @@ namespace wheelrail
 {
   namespace
   {
-    /// The point of the wheel's locus at a parameter of its section.
+    /// The point of the wheel's locus at a parameter of its section, where it inclines along the track as
+    /// given.
     std::optional<Vector3>
-    locus_point(const ProfileLine &line, const RigidMotion &to_track, const double radius, const double t)
+    locus_point(const ProfileLine &line,
+                const RigidMotion &to_track,
+                const double       radius,
+                const double       t,
+                const double       slope)
     {
       const ProfileLine::Place p = line.at(t);
-      // the normal (dy sin, -dz, dy cos) lies across the track
-      const Vector3 &row = to_track.rows[0];
-      const double   a = row[0] * p.dy, b = row[2] * p.dy, c = row[1] * p.dz;
-      const double   largest = std::hypot(a, b);
+      // the normal (dy sin, -dz, dy cos) lies across the inclined track
+      const Vector3 row = to_track.rows[0] + slope * to_track.rows[2];
+      const double  a = row[0] * p.dy, b = row[2] * p.dy, c = row[1] * p.dz;
+      const double  largest = std::hypot(a, b);
       if (std::abs(c) > largest)
         return {};
       const double angle = std::asin(c / largest) - std::atan2(b, a), rho = radius + p.z;
       return to_track({rho * std::sin(angle), p.y, rho * std::cos(angle) - radius});
+    }
+
+    /// How far a roller falls below its top at x.
+    double
+    fall(const double radius, const double x)
+    {
+      return radius - std::sqrt(std::max(0., radius * radius - x * x));
+    }
+
+    /// The same over a roller, whose radius depends on y: by rounds, each of which would go too far by the
+    /// ratio of the radii.
+    std::optional<Vector3>
+    locus_over_roller(const ProfileLine                   &line,
+                      const WheelRailPose                 &pose,
+                      const RigidMotion                   &to_track,
+                      const std::function<double(double)> &radius_at,
+                      const double                         t)
+    {
+      double slope = 0;
+      for (int round = 0;; ++round)
+        {
+          const auto point = locus_point(line, to_track, pose.wheel_radius, t, slope);
+          if (!point || round == 20)
+            return point;
+          const double x = (*point)[0], radius = radius_at((*point)[1]);
+          if (std::abs(x) >= radius)
+            return {};
+          const double change = x / std::sqrt(radius * radius - x * x) - slope;
+          if (std::abs(change) < 1e-10)
+            return point;
+          slope += change * radius / (radius + pose.wheel_radius);
+        }
     }
 
     double
@@ -203,11 +240,19 @@ namespace wheelrail
         low            = std::min(low, y);
         high           = std::max(high, y);
       }
-    const auto n         = std::size_t((high - low) / spacing) + 1;
-    const auto on_rails  = points_over(rail.samples(), on_rail, low, spacing, n, -1);
+    const auto   n         = std::size_t((high - low) / spacing) + 1;
+    const auto   on_rails  = points_over(rail.samples(), on_rail, low, spacing, n, -1);
+    const double centre    = pose.rail.move[2] + pose.axle[2]; // of a roller
+    const auto   radius_at = [&](const double y) {
+      const auto k = std::size_t(std::clamp((y - low) / spacing, 0., double(n) - 1));
+      return on_rails[k] ? centre - on_rails[k]->place[2] : pose.axle[2];
+    };
     const auto on_wheels = points_over(
       wheel.samples(),
-      [&](const double t) { return locus_point(wheel, to_track, pose.wheel_radius, t); },
+      [&](const double t) {
+        return pose.roller ? locus_over_roller(wheel, pose, to_track, radius_at, t)
+                           : locus_point(wheel, to_track, pose.wheel_radius, t, 0);
+      },
       low,
       spacing,
       n,
@@ -228,8 +273,10 @@ namespace wheelrail
             gap.angle                        = std::atan2(tangent[2], tangent[1]);
             if (on_wheels[k])
               {
+                gap.x = on_wheels[k]->place[0];
+                if (pose.roller)
+                  gap.rail_z += fall(centre - gap.rail_z, gap.x);
                 gap.gap = gap.rail_z - on_wheels[k]->place[2];
-                gap.x   = on_wheels[k]->place[0];
               }
           }
         gaps.push_back(gap);
@@ -270,6 +317,8 @@ namespace wheelrail
                const ProfileLine           &rail,
                const ContactElements       &elements)
   {
+    const double radius =
+      pose.roller ? 1 / (1 / pose.wheel_radius + 1 / pose.axle[2]) : pose.wheel_radius; // of the gap along
     std::vector<PatchPlace> patches;
     for (std::size_t k = gaps.size(); k-- > 0;)
       if (gaps[k].gap < pose.height)
@@ -277,11 +326,16 @@ namespace wheelrail
           const std::size_t last = k;
           while (k > 0 && gaps[k - 1].gap < pose.height)
             --k;
-          patches.push_back(overlap(gaps, k, last, pose.height, pose.wheel_radius));
+          patches.push_back(overlap(gaps, k, last, pose.height, radius));
         }
     patches = joined_patches(std::move(patches), elements);
     for (PatchPlace &patch : patches)
-      set_on_rail(patch, gaps, pose.rail, rail);
+      {
+        set_on_rail(patch, gaps, pose.rail, rail);
+        if (pose.roller)
+          patch.reference[2] +=
+            fall(pose.rail.move[2] + pose.axle[2] - patch.reference[2], patch.reference[0]);
+      }
     return patches;
   }
 } // namespace wheelrail

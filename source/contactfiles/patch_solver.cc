@@ -292,7 +292,8 @@ namespace wheelrail
             state.grid.x0 += std::round(x / grid.dx) * grid.dx;
             state.grid.y0 += std::round(old.arc / grid.dy) * grid.dy;
           }
-        if (!last_of_it)
+        // at a height given CONTACT cuts the last of several off where it ends
+        if (!last_of_it || one_.digits.normal == 1)
           cover(grid, contact_of(state));
         states.push_back(std::move(state));
       }

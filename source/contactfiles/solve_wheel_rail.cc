@@ -75,7 +75,7 @@ namespace wheelrail
       bool
       meshed() const
       {
-        return rail_.varies() || wheel_.out_of_round();
+        return (rail_.varies() && !(pose_.roller && one_.digits.grid != 5)) || wheel_.out_of_round();
       }
 
       double

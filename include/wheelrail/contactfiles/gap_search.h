@@ -12,8 +12,8 @@
 namespace wheelrail
 {
   /// Where the wheel comes nearest to the rail at one y of the track: the vertical gap between the rail and
-  /// the contact locus of the wheel, its points whose normals lie across the track (Wang 1984), at the height
-  /// 0 of the wheelset.
+  /// the contact locus of the wheel, its points whose normals lie across the track (Wang 1984), over a roller
+  /// those that incline along the track as it does, at the height 0 of the wheelset.
   struct GapPlace
   {
     double y = 0, gap = 0;
