@@ -104,7 +104,8 @@ namespace wheelrail
     // a block a quarter wider than wanted is better than two that are nearly half as wide: narrow
     // cells cut the stable time step
     const double       width = strip.s1 - strip.s0;
-    const unsigned int count = std::max(1., std::ceil(width / block_size - 0.25));
+    const unsigned int count =
+      wanted > many ? std::lround(width / block_size) : std::max(1., std::ceil(width / block_size - 0.25));
 
     return divided(contact.frame, strip, count);
   }

@@ -239,7 +239,8 @@ namespace wheelrail
               wheel[a] = touches;
               at       = k;
             }
-        farthest = std::max(farthest, std::abs(along[at] - along[a]));
+        if (a >= start && a + start < n) // on the path
+          farthest = std::max(farthest, std::abs(along[at] - along[a]));
       }
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t a = 0; a < n; ++a)
@@ -376,9 +377,10 @@ namespace wheelrail
     for (std::size_t i = across.size(); i-- > 0;)
       if (i % 2 == 0) // each 0.5 mm
         points.push_back({across[i], top[i]});
-    const double steep = std::atan(20.);
     for (const int sign : {1, -1}) // the field side is put in front, the gauge side behind
       {
+        // beside the flange no steeper than its face, so that blocks have room below the corner
+        const double steep        = std::atan(sign > 0 ? 20. : 2.75);
         const Point2 a            = sign > 0 ? points[1] : points[points.size() - 2],
                      b            = sign > 0 ? points[0] : points.back();
         const double        begin = std::atan2(a.y - b.y, sign * (b.x - a.x)); // angle downwards
@@ -392,7 +394,7 @@ namespace wheelrail
           }
         const Point2 low = end.back();
         for (double down = step; down < side; down += step)
-          end.push_back({low.x + sign * down / 20, low.y - down});
+          end.push_back({low.x + sign * down / std::tan(steep), low.y - down});
         if (sign > 0)
           points.insert(points.begin(), end.rbegin(), end.rend());
         else

@@ -158,12 +158,25 @@ namespace wheelrail
     {
       const SweepPlan &plan = model.discretization->plan();
       prepare_solid(model, communicator);
+      const StableStep on_path = step_on_path(
+        plan,
+        {elasticity(model.solid.choice.material.rail), elasticity(model.solid.choice.material.wheel)},
+        scene.bulk_viscosity);
+      const double shorter = on_path.step / model.solid.stable.step;
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
       model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
       prepare_parts(model.parts, model.solid);
       lower_stable_step(model.solid, model.parts);
       // the start lies on the smooth surfaces: what comes later counts now
-      model.solid.stable.step *= thinnest_cells(plan);
+      constexpr double even = 1 - 1e-3;
+      if (shorter < even)
+        {
+          StableStep &stable = model.solid.stable;
+          stable.step *= shorter;
+          stable.body   = on_path.body;
+          stable.length = on_path.length;
+          stable.place  = on_path.place;
+        }
       model.contact = make_contact(scene, model, communicator);
       prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
     }

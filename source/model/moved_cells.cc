@@ -1,57 +1,18 @@
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <wheelrail/base/parallel.h>
+#include <wheelrail/mesh/cell_tree.h>
 #include <wheelrail/model/moved_cells.h>
+#include <wheelrail/solid/element_blocks.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 namespace wheelrail
 {
   namespace
   {
-    /// A reference point below a running surface, over its place along [m].
-    Vector3
-    below_surface(const SweepPlan &plan,
-                  const Body       body,
-                  const double     s,
-                  const double     depth,
-                  const double     along)
-    {
-      const RunningSurface &surface = plan.surfaces[body];
-      const double          n       = surface.smooth(s).n + (body == Body::rail ? -depth : depth);
-      const Point2          p       = surface.frame().to_track({s, n});
-      if (body == Body::rail)
-        return {p.x, p.y, along};
-      const WheelPose &pose    = surface.pose();
-      const Point2     section = pose.section.to_section(p);
-      return pose.position(section.x, pose.nominal_radius - section.y, along / plan.surfaces.rolling_radius);
-    }
-
-    /// The least stretch of a cell on the surface.
-    double
-    least_stretch(const SweepPlan &plan,
-                  const Body       body,
-                  const double     s,
-                  const double     along,
-                  const double     cell)
-    {
-      const RunningSurface &surface = plan.surfaces[body];
-      const auto            at      = [&](const double ahead, const double aside, const double depth) {
-        const auto place =
-          surface.place(surface.moved(below_surface(plan, body, s + aside, depth, along + ahead)));
-        return Vector3{place.s, place.n - surface.smooth(s + aside).n, place.along};
-      };
-      const Vector3 corner   = at(0, 0, 0);
-      const Vector3 edges[3] = {at(0, cell, 0) - corner, corner - at(0, 0, cell), at(cell, 0, 0) - corner};
-      dealii::SymmetricTensor<2, 3> squared;
-      for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j)
-          squared[i][j] = dot(edges[i], edges[j]) / (cell * cell);
-      return std::sqrt(std::max(0., dealii::eigenvalues(squared)[2]));
-    }
-
     /// Where irregularities move nodes on the path, along [m].
     Range
     moved_stretch(const SweepPlan &plan, const Body body)
@@ -64,27 +25,110 @@ namespace wheelrail
         stretch = {std::max(stretch.s0, -plan.reach), std::min(stretch.s1, plan.longest_path + plan.reach)};
       return stretch;
     }
+
+    /// The column that holds the contact of the start, and those where nodes are moved.
+    std::vector<int>
+    columns_on_path(const SweepPlan &plan, const SweptGrid &grid)
+    {
+      const Range      stretch = moved_stretch(plan, grid.body());
+      const double     around  = grid.closed() ? grid.n_columns() * plan.block_length() : 0;
+      std::vector<int> columns(1, 0);
+      while (!grid.closed() && grid.along(0, columns.front() + 1) <= 0)
+        ++columns.front();
+      for (int k = 0; k < grid.n_columns(); ++k)
+        {
+          const double a = grid.along(0, k), b = grid.along(0, k + 1);
+          double       apart = 0.5 * (a + b) - 0.5 * (stretch.s0 + stretch.s1);
+          if (around > 0)
+            apart = std::remainder(apart, around);
+          if (std::abs(apart) < 0.5 * (stretch.s1 - stretch.s0 + std::abs(b - a)))
+            columns.push_back(k);
+        }
+      return columns;
+    }
+
+    /// Cells of a column that lies within the finest ones with all its neighbours.
+    std::vector<CellPlace>
+    cells_of_column(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const Body body, const int column)
+    {
+      const double      beside = 3 * plan.block_length(), begin = grids[body].along(0, column);
+      PerBody<FineZone> zones;
+      zones[body] = {{begin - beside, begin + beside}};
+      PerBody<std::set<int>> columns;
+      columns[body] = {column};
+      const RefinementRule   rule(plan, grids, zones);
+      const CellTree         tree(rule, grids, columns);
+      std::vector<CellPlace> cells;
+      const auto             collect = [&](const auto &self, const CellPlace &cell) -> void {
+        if (!tree.divided(cell))
+          cells.push_back(cell);
+        else
+          for (unsigned int c = 0; c < 8; ++c)
+            self(self, cell.child(c));
+      };
+      CellPlace block;
+      block.body = body;
+      block.k    = column;
+      for (block.block = 0; block.block < grids[body].n_blocks(); ++block.block)
+        collect(collect, block);
+      return cells;
+    }
+
+    struct Stiffest
+    {
+      double                 bound = 0; ///< omega^2 [1/s2]
+      std::array<Vector3, 8> at{};      ///< its vertices [m]
+    };
+
+    Stiffest
+    stiffest(const SweptGrid              &grid,
+             const std::vector<CellPlace> &cells,
+             const int                     farther, ///< by columns
+             const Elasticity             &steel)
+    {
+      Stiffest most;
+      for (CellPlace cell : cells)
+        {
+          cell.k += farther * (1 << cell.level);
+          std::array<Vector3, 8> X;
+          for (unsigned int v = 0; v < 8; ++v)
+            X[v] = grid.position(cell, v);
+          if (const double bound = element_frequency_bound(element_geometry(X), steel); bound > most.bound)
+            most = {bound, X};
+        }
+      return most;
+    }
   } // namespace
 
 
-  double
-  thinnest_cells(const SweepPlan &plan)
+  StableStep
+  step_on_path(const SweepPlan &plan, const PerBody<Elasticity> &steel, const double bulk_viscosity)
   {
-    const double cell  = plan.block_length() / std::pow(2., plan.levels);
-    double       least = 1;
+    const PerBody<SweptGrid> grids{SweptGrid(plan, Body::rail), SweptGrid(plan, Body::wheel)};
+    StableStep               stable;
+    double                   largest = 0;
     for (const Body body : both_bodies)
       {
-        const Range stretch = moved_stretch(plan, body);
-        if (!(stretch.s1 > stretch.s0))
-          continue;
-        std::vector<double> rows(static_cast<std::size_t>(std::ceil((stretch.s1 - stretch.s0) / cell)), 1.);
-        parallel_for(rows.size(), [&](const std::size_t k) {
-          for (double s = plan.strip.s.front(); s < plan.strip.s.back() - 0.5 * cell; s += cell)
-            rows[k] = std::min(
-              rows[k], least_stretch(plan, body, s, stretch.s0 + static_cast<double>(k) * cell, cell));
-        });
-        least = std::min(least, *std::min_element(rows.begin(), rows.end()));
+        const std::vector<int>       columns = columns_on_path(plan, grids[body]);
+        const std::vector<CellPlace> cells   = cells_of_column(plan, grids, body, columns.front());
+        std::vector<Stiffest>        found(columns.size());
+        const auto                   look = [&](const std::size_t n) {
+          found[n] = stiffest(grids[body], cells, columns[n] - columns.front(), steel[body]);
+        };
+        look(0); // finds the places of the section, which all columns have
+        parallel_for(columns.size() - 1, [&](const std::size_t n) { look(n + 1); });
+        for (const Stiffest &one : found)
+          if (one.bound > largest)
+            {
+              largest       = one.bound;
+              stable.body   = body;
+              stable.length = std::cbrt(element_geometry(one.at).volume);
+              stable.place  = {};
+              for (const Vector3 &X : one.at)
+                add(stable.place, 1. / 8, X);
+            }
       }
-    return least;
+    stable.step = stable_step(largest, bulk_viscosity);
+    return stable;
   }
 } // namespace wheelrail

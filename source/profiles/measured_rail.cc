@@ -330,12 +330,13 @@ namespace wheelrail
     const HeadMarks marks = marks_of(profile.curve);
     check_gauge_side(marks, profile);
     const RailProfile standard = rail_profile(body);
-    const double      middle   = 0.5 * (*marks.field + *marks.gauge),
-                 width         = *marks.field - *marks.gauge - 2 * half_width(standard);
+    // as wide as the ends of its sides
+    const Point2 field  = profile.curve.at(0).position,
+                 gauge  = profile.curve.at(profile.curve.parameter_end()).position;
+    const double middle = 0.5 * (field.x + gauge.x), width = field.x - gauge.x - 2 * half_width(standard);
     // the lower side is deeper than that of a usual head, so that wide blocks find room in it
     constexpr double room   = 14e-3;
-    const double     deeper = room + std::abs(profile.curve.at(0).position.y -
-                                          profile.curve.at(profile.curve.parameter_end()).position.y);
+    const double     deeper = room + std::abs(field.y - gauge.y);
     RailProfile      rail =
       on_body(profile, {-middle, deeper - marks.top}, width > 0 ? widened(standard, width) : standard, notes);
     rail.height += deeper;

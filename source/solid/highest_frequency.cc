@@ -123,10 +123,7 @@ namespace wheelrail
   void
   lower_stable_step(Solid &solid, const double bulk_viscosity, MPI_Comm communicator)
   {
-    const double b = bulk_viscosity;
-    // omega dt <= 2 (sqrt(1 + b^2) - b), b the damping ratio of the bulk viscosity at the highest frequency,
-    // taken at the half step behind
-    const double step = 2 / std::sqrt(highest_frequency(solid, communicator)) * (std::sqrt(1 + b * b) - b);
+    const double step = stable_step(highest_frequency(solid, communicator), bulk_viscosity);
     if (step < solid.stable.step)
       {
         solid.stable.step             = step;

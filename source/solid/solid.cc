@@ -157,11 +157,18 @@ namespace wheelrail
       stable.body   = static_cast<Body>(static_cast<int>(data[0]));
       stable.length = data[1];
       stable.place  = {data[2], data[3], data[4]};
-      // dt = 2/omega (sqrt(1 + b^2) - b) (doc/theory/element.md, Stable step)
-      stable.step = 2 / std::sqrt(best.value) * (std::sqrt(1 + coefficient * coefficient) - coefficient);
+      stable.step   = stable_step(best.value, coefficient);
       return stable;
     }
   } // namespace
+
+
+  double
+  stable_step(const double squared_frequency, const double viscosity)
+  {
+    // dt = 2/omega (sqrt(1 + b^2) - b) (doc/theory/element.md, Stable step)
+    return 2 / std::sqrt(squared_frequency) * (std::sqrt(1 + viscosity * viscosity) - viscosity);
+  }
 
 
   void
