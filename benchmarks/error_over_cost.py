@@ -6,6 +6,7 @@ Usage: benchmarks/error_over_cost.py [PICTURE]
 From the folder of the program; the picture of README.md unless another is named.
 """
 
+import math
 import re
 import sys
 
@@ -30,17 +31,23 @@ def rows():
 def main(picture):
     table = rows()
     seconds = [float(row["wall time"].split()[0]) for row in table]
-    figure, axes = plt.subplots(figsize=(6, 3), constrained_layout=True)
-    for name in RESULTS:
-        errors = [abs(float(re.search(r"\(([-+.\d]+)\)", row[name])[1])) for row in table]
-        axes.plot(seconds, errors, "o-", label=name)
-    for row, second in zip(table, seconds):
-        axes.annotate(row["cells"], (second, 4.2), ha="center", fontsize="small")
-    axes.set(xscale="log", xlabel="wall time on two cores [s]", ylabel="off the true bodies [%]", xlim=(2.5, 400), ylim=(0, 4.6))
-    axes.grid(alpha=0.3)
-    axes.set_xticks(seconds, [f"{second:g}" for second in seconds])
-    axes.minorticks_off()
-    axes.legend(fontsize="small", loc="upper center", bbox_to_anchor=(0.7, 0.9))
+    figure, panels = plt.subplots(1, len(RESULTS), sharey=True, figsize=(9, 3), constrained_layout=True)
+    for axes, name in zip(panels, RESULTS):
+        # difference; where the run gives an interval, those of its ends, too
+        numbers = [[float(n) for n in re.findall(r"[-+][.\d]+", row[name].split("(")[1])] for row in table]
+        axes.axhline(0, color="0.4", linewidth=0.8)
+        axes.fill_between(seconds, [n[1] if len(n) == 3 else math.nan for n in numbers],
+                          [n[-1] if len(n) == 3 else math.nan for n in numbers], alpha=0.25, linewidth=0)
+        axes.plot(seconds, [n[0] for n in numbers], "o-")
+        for row, second in zip(table, seconds):
+            axes.annotate(row["cells"].removesuffix(" mm"), (second, 0.02), xycoords=("data", "axes fraction"), ha="center",
+                          fontsize="small")
+        axes.set(title=name, xscale="log", xlim=(seconds[0] / 1.6, 1.6 * seconds[-1]))
+        axes.set_xticks((5, 50, 500), ("5", "50", "500"))
+        axes.minorticks_off()
+        axes.grid(alpha=0.3)
+    panels[0].set_ylabel("off the true bodies [%]")
+    figure.supxlabel("wall time on two cores [s]; numbers inside: cells [mm]; bands: the run's own intervals", fontsize="medium")
     figure.savefig(picture, dpi=120)
 
 

@@ -38,12 +38,13 @@ MAIN = [("peak pressure", "max_pressure", "_Pa", " MPa", 1e-6, 0),
 
 #: cells of the table of error over cost [mm], its results
 CELLS = (2, 1, 0.5, 0.25)
-COST = [("peak pressure", "max_pressure"), ("area", "contact_area"), ("peak shear", "max_shear_traction"), ("creepage", "creepage")]
+COST = [("peak pressure", "max_pressure", "_Pa"), ("area", "contact_area", "_m2"), ("peak shear", "max_shear_traction", "_Pa"),
+        ("creepage", "creepage", "")]
 
 #: entries of Mesh of the table of ranks: some 40 000 cells, one and two million
 RANK_MESHES = {"1 mm": ["Solution cell size = 1 mm"],
                "0.125 mm": ["Solution cell size = 0.125 mm"],
-               "0.125 mm, 11 mm deep": ["Solution cell size = 0.125 mm", "Fine depth = 11 mm"]}
+               "0.1 mm, margin of 5 mm": ["Solution cell size = 0.1 mm", "Coarse cell size = 12.8 mm", "Fine margin = 5 mm"]}
 
 #: calls of ready scenes, the cheap ones first: what is shown, arguments of the program
 TIMES = [("`prm/wear.prm`: 27 steps of nine rows", "wear prm/wear.prm --no-pictures"),
@@ -143,6 +144,14 @@ def grouped(number):
     return f"{int(number):,}".replace(",", " ")
 
 
+def off_both(run, key, unit):
+    """Difference to half-spaces; in brackets to true bodies, with that of both ends of the run's own interval."""
+    off, value = run[BODIES + key], run[key + unit]
+    ends = [run.get(f"{key}_{end}{unit}") for end in ("low", "high")]
+    interval = "" if None in ends else ", {:+.1f} to {:+.1f}".format(*(100 * (end / value * (1 + off) - 1) for end in ends))
+    return f"{100 * run[HALF + key]:+.1f} ({100 * off:+.1f}{interval}) %"
+
+
 def error_over_cost(calls, first):
     """The main scene on cells from 2 mm to 0.25 mm, until steady."""
     rows = []
@@ -150,9 +159,9 @@ def error_over_cost(calls, first):
         name = f"cells_{cell}"
         took = calls.seconds(f'run prm/rolling.prm --set "Mesh/Solution cell size = {cell} mm"', name)
         run = calls.compare(name)
-        rows.append([f"{cell} mm"] + [f"{100 * run[HALF + key]:+.1f} ({100 * run[BODIES + key]:+.1f}) %" for _, key in COST] +
+        rows.append([f"{cell} mm"] + [off_both(run, key, unit) for _, key, unit in COST] +
                     [f"{took:.1f} s", f"{1e-9 * run['peak_memory_bytes']:.2f} GB", grouped(run["elements"])])
-    return table(["cells"] + [label for label, _ in COST] + ["wall time", "memory", "hexahedra"], rows)
+    return table(["cells"] + [label for label, *_ in COST] + ["wall time", "memory", "hexahedra"], rows)
 
 
 def times(calls, first):

@@ -1,5 +1,6 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/bodies/run_intervals.h>
+#include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/sampling/creep_scale.h>
@@ -235,7 +236,8 @@ namespace wheelrail
              (against_bodies.empty() ? "." : ", where the true bodies do not know the result.");
     if (!against_bodies.empty())
       return "";
-    const std::string cure = "; Run/Error estimate = two meshes gives them.";
+    const std::string cure =
+      takes_coarser_cells(scene) ? "; Run/Error estimate = two meshes gives them." : ".";
     if (scene.irregular())
       return "Intervals: of the largest force alone; what cells make of pressures over irregular surfaces is "
              "not known" +

@@ -7,6 +7,13 @@
 
 namespace wheelrail
 {
+  bool
+  takes_coarser_cells(const Scene &scene)
+  {
+    return !scene.several_passages() && scene.rail_from == "new";
+  }
+
+
   Scene
   scene_on_coarser_cells(const Scene &scene)
   {

@@ -245,7 +245,7 @@ namespace wheelrail
                      Sentences           &errors)
     {
       const std::string entry = entry_text(scene, "Run", "Error estimate") + ": ";
-      if (scene.several_passages() || scene.rail_from != "new")
+      if (!takes_coarser_cells(scene))
         return errors.push_back(entry + "a rail that was rolled over has cells of one size; write model");
       const Scene     coarser = scene_on_coarser_cells(scene);
       const Sentences others  = check_scene(coarser, geometry, machine).errors;

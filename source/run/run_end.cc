@@ -133,6 +133,15 @@ namespace wheelrail
       set_wear_figures(worn, scene.wear, summary);
     }
 
+    /// T-gamma times the velocity, with its error.
+    void
+    add_frictional_power(Summary &summary, const double velocity)
+    {
+      for (const std::string tail : {"", "_error"})
+        set_figure(
+          summary, "frictional_power" + tail + "_W", get_figure(summary, "t_gamma" + tail + "_N") * velocity);
+    }
+
     /// How the wheelset stood in the middle of the stretch of the means.
     void
     add_motion(Summary &summary, const GuidedPath &path, const Range &stretch)
@@ -143,7 +152,7 @@ namespace wheelrail
       set_figure(summary, "wheelset_roll_rad", path.roll.at(middle));
       set_figure(summary, "yaw_rad", path.yaw.at(middle));
       summary.velocity = path.velocity.at(middle);
-      set_figure(summary, "frictional_power_W", get_figure(summary, "t_gamma_N") * summary.velocity);
+      add_frictional_power(summary, summary.velocity);
     }
 
     /// Holds the peak pressure against that of half-spaces, and adds both figures.
@@ -339,7 +348,7 @@ namespace wheelrail
         set_figure(summary, "plastic_band_depth_m", plastic.band_depth);
         set_figure(summary, "plastic_band_centre_lateral_m", plastic.band_centre);
       }
-    set_figure(summary, "frictional_power_W", get_figure(summary, "t_gamma_N") * run.scene.velocity);
+    add_frictional_power(summary, run.scene.velocity);
     // the same turning of the wheel, counted at another of its radii
     const double centre_radius = model.contact->surfaces().local_radius(summary.patch_centre_lateral);
     set_figure(summary,

@@ -7,6 +7,10 @@
 
 namespace wheelrail
 {
+  /// Whether a run on larger cells can come first: a rail that was rolled over has cells of one size.
+  bool
+  takes_coarser_cells(const Scene &scene);
+
   /// The run of Run/Error estimate = two meshes that comes first: the same scene on cells twice as large,
   /// beside its folder ("-coarse"). Elastic bodies on smooth surfaces roll until steady, all others their
   /// path.
