@@ -12,7 +12,7 @@ import sys
 from checks import check, finish
 
 ROOT = sys.argv[1]
-ALL, A_PAGE, WIDTH = 60800, 2700, 120
+ALL, A_PAGE, WIDTH = 60000, 2700, 120
 PAGES = {"README.md": 800, "doc/theory/mesh.md": 2000, "doc/manual/curve.md": 3200, "doc/manual/parameters.md": 7000}
 MEASURED = "doc/measured.md"
 
