@@ -22,16 +22,18 @@ def call(name, *values):
     """Calls with pointers: integers, reals and texts as they are, lists as arrays. Returns these."""
     arguments = []
     for value in values:
-        if isinstance(value, bytes):
+        if value is None:
+            arguments.append(None)
+        elif isinstance(value, bytes):
             arguments.append(ctypes.c_char_p(value))
         elif isinstance(value, list):
             kind = ctypes.c_int if value and isinstance(value[0], int) else ctypes.c_double
             arguments.append((kind * max(1, len(value)))(*value))
         else:
             arguments.append((ctypes.c_int if isinstance(value, int) else ctypes.c_double)(value))
-    getattr(LIBRARY, name)(*[a if isinstance(a, (ctypes.c_char_p, ctypes.Array)) else ctypes.byref(a)
+    getattr(LIBRARY, name)(*[a if a is None or isinstance(a, (ctypes.c_char_p, ctypes.Array)) else ctypes.byref(a)
                              for a in arguments])
-    return [list(a) if isinstance(a, ctypes.Array) else a.value for a in arguments]
+    return [a if a is None else list(a) if isinstance(a, ctypes.Array) else a.value for a in arguments]
 
 
 def flags(ire, **values):
@@ -257,6 +259,17 @@ def errors():
     check(calculate(3) == -99 and "M = 1 (material: viscoelastic) is not computed" in messages(),
           "what is not computed is named")
     check(call("cntc_getflags", 3, 1, 2, [UNITS, MOTION], [0, 0])[4] == [SIMPACK, 3], "flags read back")
+    call("cntc_getcontactforces", 2, 1, None, 0.0, 0.0, 0.0)
+    check("cntc_getcontactforces: an argument is a null pointer; nothing is done" in messages(), "a null pointer")
+    for name, arguments in (("cntc_setcreepages", [math.inf, 0.0, 0.0]), ("cntc_setreferencevelocity", [math.nan])):
+        call(name, 2, 1, *arguments)
+        check(f"{name}: an argument holds a number that is not finite; nothing is done" in messages(), f"{name} {arguments}")
+    call("cntc_setcreepages", 2, 1, 1e300, 0.0, 0.0)
+    flags(2, FORCE=0)
+    check(calculate(2) == -99 and "must be finite numbers" in messages(), "a creepage out of scale")
+    call("cntc_setverticalforce", 6, 1e300)
+    check(call("cntc_calculate", 6, -1, 0)[2] == -39 and call("cntc_getnumcontactpatches", 6, 9)[1] == 0,
+          "a load out of scale leaves no contact behind")
     call("cntc_finalize", 3)
     check(call("cntc_calculate", 3, 1, 0)[2] == -31, "an element that is gone")
 

@@ -14,6 +14,8 @@ using namespace wheelrail;
 
 namespace
 {
+  constexpr int most_points = 1000000;
+
   const ContactPoints &
   block_of(const CallProblem &problem, const int number)
   {
@@ -30,7 +32,11 @@ namespace
     if (kind % 4 == 2 && n != 3)
       throw InputError("ISUBS = " + std::to_string(kind) + " needs first, step and last index, 3 values");
     for (int k = 0; k < n; ++k)
-      counts.push_back(int(std::lround(values[k])));
+      {
+        if (!(values[k] >= 0 && values[k] <= most_points))
+          throw InputError("indices of points are not from 0 to " + std::to_string(most_points));
+        counts.push_back(int(std::lround(values[k])));
+      }
   }
 } // namespace
 
@@ -46,6 +52,8 @@ subs_addblock(const int    *ire,
               const double *y,
               const double *z)
 {
+  if (faulty(__func__, {ire, icp, block, isubs, nx, ny, nz, z}))
+    return;
   with_problem({"subs_addblock"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     const double  length = element.units.length;
     ContactPoints points;
@@ -53,6 +61,8 @@ subs_addblock(const int    *ire,
     points.line = 1;
     if (*isubs < 1 || *isubs > 9 || *isubs == 4 || *isubs == 8)
       throw InputError("ISUBS = " + std::to_string(*isubs) + " is unknown; 1, 2, 3, 5, 6, 7 and 9 are known");
+    if (!(x && y) && (*isubs == 9 || *isubs % 4 != 1))
+      throw InputError("x or y is a null pointer");
     if (*isubs == 9)
       {
         for (int k = 0; k < *nx; ++k)
@@ -72,6 +82,8 @@ subs_addblock(const int    *ire,
         if (*nz != 3)
           throw InputError("ISUBS = " + std::to_string(*isubs) + " needs NZ, ZL and DZ, not " +
                            std::to_string(*nz) + " values");
+        if (!(z[0] >= 0 && z[0] <= most_points))
+          throw InputError("NZ is not from 0 to " + std::to_string(most_points));
         for (int k = 0; k < int(std::lround(z[0])); ++k)
           points.z.push_back((z[1] + k * z[2]) * length);
       }
@@ -87,6 +99,10 @@ subs_addblock(const int    *ire,
 void
 subs_calculate(const int *ire, const int *icp, int *error)
 {
+  if (error)
+    *error = call_error::input;
+  if (faulty(__func__, {ire, icp, error}))
+    return;
   *error = with_problem({"subs_calculate", 0, true}, *ire, *icp, [](CallElement &, CallProblem &problem) {
     calculate_below(problem);
   });
@@ -95,6 +111,8 @@ subs_calculate(const int *ire, const int *icp, int *error)
 void
 subs_getblocksize(const int *ire, const int *icp, const int *block, int *nx, int *ny, int *nz)
 {
+  if (faulty(__func__, {ire, icp, block, nx, ny, nz}))
+    return;
   *nx = *ny = *nz = 0;
   with_problem({"subs_getblocksize", 0, true}, *ire, *icp, [&](CallElement &, CallProblem &problem) {
     const PointBlock points =
@@ -114,6 +132,9 @@ subs_getresults(const int *ire,
                 const int *columns,
                 double    *values)
 {
+  if (faulty(__func__,
+             {ire, icp, block, n_points, n_columns, when(n_columns, columns), when(n_columns, values)}))
+    return;
   with_problem({"subs_getresults", 0, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     block_of(problem, *block);
     const auto found = problem.below.find({problem.solved ? 1 : std::max(1, *icp), *block});

@@ -122,6 +122,8 @@ namespace wheelrail
       }
     catch (const InputError &error)
       {
+        problem.solved.reset(); // nothing of an earlier contact is taken for this one
+        problem.wheel_rail.reset();
         call_message(without_line(one, error.what()));
         return call_error::input;
       }
@@ -171,7 +173,10 @@ using namespace wheelrail;
 void
 cntc_calculate(const int *ire, const int *icp, int *error)
 {
-  *error = call_error::element;
+  if (error)
+    *error = call_error::element;
+  if (faulty(__func__, {ire, icp, error}))
+    return;
   const int failed =
     with_problem({"cntc_calculate"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
       const double cpu  = cpu_seconds();

@@ -1,7 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contactcalls/call_table.h>
 
+#include <algorithm>
+#include <climits>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -65,6 +68,56 @@ namespace wheelrail
     std::ofstream file(std::filesystem::path(t.output.folder) / (t.output.name + ".out"), std::ios::app);
     file << sentence << '\n';
     std::cerr << sentence << std::endl;
+  }
+
+  CallArgument::CallArgument(const int *pointer)
+    : pointer(pointer)
+  {
+  }
+
+  CallArgument::CallArgument(const double *numbers)
+    : pointer(numbers)
+    , numbers(numbers)
+  {
+  }
+
+  CallArgument::CallArgument(double *result)
+    : pointer(result)
+  {
+  }
+
+  CallArgument
+  when(const int *n, CallArgument array)
+  {
+    if (n && *n <= 0)
+      return {n};
+    array.count = n ? *n : 0;
+    return array;
+  }
+
+  bool
+  faulty(const char *function, const std::initializer_list<CallArgument> arguments)
+  {
+    std::string fault;
+    for (const CallArgument &one : arguments)
+      if (!one.pointer)
+        fault = "is a null pointer";
+    for (const CallArgument &one : arguments)
+      if (fault.empty() && one.numbers &&
+          !std::all_of(one.numbers, one.numbers + one.count, [](const double v) { return std::isfinite(v); }))
+        fault = "holds a number that is not finite";
+    if (!fault.empty())
+      call_message(std::string(function) + ": an argument " + fault + "; nothing is done");
+    return !fault.empty();
+  }
+
+  std::string
+  call_text(const char *text, const int length)
+  {
+    std::string s(text ? text : "", text ? strnlen(text, std::size_t(std::clamp(length, 0, PATH_MAX))) : 0);
+    while (!s.empty() && s.back() == ' ')
+      s.pop_back();
+    return s;
   }
 
   void

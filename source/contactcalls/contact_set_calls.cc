@@ -63,6 +63,8 @@ namespace
 void
 cntc_settimestep(const int *ire, const int *icp, const double *)
 {
+  if (faulty(__func__, {ire, icp}))
+    return;
   // for damping alone, which is not computed
   with_problem({"cntc_settimestep"}, *ire, *icp, [](CallElement &, CallProblem &) {});
 }
@@ -70,6 +72,8 @@ cntc_settimestep(const int *ire, const int *icp, const double *)
 void
 cntc_setreferencevelocity(const int *ire, const int *icp, const double *velocity)
 {
+  if (faulty(__func__, {ire, icp, velocity}))
+    return;
   set_basic("cntc_setreferencevelocity", *ire, *icp, [&](CallProblem &problem, const CallUnits &units) {
     problem.one.rolling.velocity = std::max(1e-9, std::abs(*velocity) * units.length);
   });
@@ -78,6 +82,8 @@ cntc_setreferencevelocity(const int *ire, const int *icp, const double *velocity
 void
 cntc_setrollingstepsize(const int *ire, const int *icp, const double *chi, const double *dq)
 {
+  if (faulty(__func__, {ire, icp, chi, dq}))
+    return;
   with_problem({"cntc_setrollingstepsize"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     if (element.module == 1)
       {
@@ -92,6 +98,8 @@ cntc_setrollingstepsize(const int *ire, const int *icp, const double *chi, const
 void
 cntc_sethertzcontact(const int *ire, const int *icp, const int *ipotcn, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, icp, ipotcn, n, when(n, values)}))
+    return;
   set_basic("cntc_sethertzcontact", *ire, *icp, [&](CallProblem &problem, const CallUnits &units) {
     const char *const kinds[] = {"cc-", "c--", "ll-", "cl-", "ll-", "lll-"}; // of -1, -2, ... -6
     if (*ipotcn < -6 || *ipotcn > -1)
@@ -105,6 +113,8 @@ cntc_sethertzcontact(const int *ire, const int *icp, const int *ipotcn, const in
 void
 cntc_setpotcontact(const int *ire, const int *icp, const int *ipotcn, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, icp, ipotcn, n, when(n, values)}))
+    return;
   with_problem({"cntc_setpotcontact"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     const CallUnits &units = element.units;
     if (element.module == 3)
@@ -135,6 +145,8 @@ cntc_setpotcontact(const int *ire, const int *icp, const int *ipotcn, const int 
 void
 cntc_setundeformeddistc(const int *ire, const int *icp, const int *ibase, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, icp, ibase, n, when(n, values)}))
+    return;
   set_basic("cntc_setundeformeddistc", *ire, *icp, [&](CallProblem &problem, const CallUnits &units) {
     ContactDistance distance;
     distance.base     = *ibase;
@@ -176,6 +188,8 @@ cntc_setundeformeddistc(const int *ire, const int *icp, const int *ibase, const 
 void
 cntc_setverticalforce(const int *ire, const double *fz)
 {
+  if (faulty(__func__, {ire, fz}))
+    return;
   with_problem({"cntc_setverticalforce", 1}, *ire, -1, [&](CallElement &, CallProblem &problem) {
     problem.one.digits.normal = 1;
     problem.normal_force      = *fz;
@@ -185,6 +199,8 @@ cntc_setverticalforce(const int *ire, const double *fz)
 void
 cntc_setpenetration(const int *ire, const int *icp, const double *approach)
 {
+  if (faulty(__func__, {ire, icp, approach}))
+    return;
   set_basic("cntc_setpenetration", *ire, *icp, [&](CallProblem &problem, const CallUnits &units) {
     problem.one.digits.normal = 0;
     problem.approach          = *approach * units.length;
@@ -194,6 +210,8 @@ cntc_setpenetration(const int *ire, const int *icp, const double *approach)
 void
 cntc_setnormalforce(const int *ire, const int *icp, const double *fn)
 {
+  if (faulty(__func__, {ire, icp, fn}))
+    return;
   set_basic("cntc_setnormalforce", *ire, *icp, [&](CallProblem &problem, const CallUnits &) {
     if (*fn < 0)
       throw InputError("the normal force is negative; a force that presses counts positive");
@@ -205,6 +223,8 @@ cntc_setnormalforce(const int *ire, const int *icp, const double *fn)
 void
 cntc_settangentialforces(const int *ire, const int *icp, const double *fx, const double *fy)
 {
+  if (faulty(__func__, {ire, icp, fx, fy}))
+    return;
   with_problem({"cntc_settangentialforces"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     // module 3: over friction times normal force, cut to 1; module 1: FX_WS in N
     const double size   = std::hypot(*fx, *fy);
@@ -217,6 +237,8 @@ cntc_settangentialforces(const int *ire, const int *icp, const double *fx, const
 void
 cntc_setcreepages(const int *ire, const int *icp, const double *vx, const double *vy, const double *phi)
 {
+  if (faulty(__func__, {ire, icp, vx, vy, phi}))
+    return;
   set_basic("cntc_setcreepages", *ire, *icp, [&](CallProblem &problem, const CallUnits &units) {
     const bool shift   = problem.one.digits.motion == 1;
     problem.creepage_x = *vx * (shift ? units.length : 1);
@@ -228,6 +250,8 @@ cntc_setcreepages(const int *ire, const int *icp, const double *vx, const double
 void
 cntc_setextrarigidslip(const int *ire, const int *icp, const int *n, const double *wx, const double *wy)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, wx), when(n, wy)}))
+    return;
   set_basic("cntc_setextrarigidslip", *ire, *icp, [&](CallProblem &problem, const CallUnits &) {
     if (*n != problem.one.grid.mx * problem.one.grid.my)
       throw InputError("the extra rigid slip needs a value of each element, " +

@@ -120,6 +120,8 @@ cntc_setsolverflags(const int    *ire,
                     const int    *n_reals,
                     const double *reals)
 {
+  if (faulty(__func__, {ire, icp, G, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)}))
+    return;
   constexpr int counts[7][2] = {{4, 1}, {0, 0}, {5, 4}, {5, 4}, {5, 2}, {5, 8}, {1, 1}};
   with_problem({"cntc_setsolverflags"}, *ire, *icp, [&](CallElement &, CallProblem &problem) {
     if (*G < 0 || *G > 6)
@@ -142,6 +144,8 @@ cntc_setsolverflags(const int    *ire,
 void
 cntc_setmaterialparameters(const int *ire, const int *icp, const int *M, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, icp, M, n, when(n, values)}))
+    return;
   with_problem({"cntc_setmaterialparameters"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     ContactCase      &one  = problem.one;
     const std::string name = "M = " + std::to_string(*M);
@@ -171,6 +175,8 @@ cntc_setmaterialproperties(const int    *ire,
                            const double *shear2,
                            const double *poisson2)
 {
+  if (faulty(__func__, {ire, icp, shear1, poisson1, shear2, poisson2}))
+    return;
   with_problem({"cntc_setmaterialproperties"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     set_elastic(problem.one, *poisson1, *poisson2, *shear1, *shear2, element.units);
   });
@@ -179,6 +185,8 @@ cntc_setmaterialproperties(const int    *ire,
 void
 cntc_setinterfaciallayer(const int *ire, const int *icp, const int *M, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, icp, M, n, when(n, values)}))
+    return;
   with_problem({"cntc_setinterfaciallayer"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     if (*M < 0 || *M > 5)
       throw InputError("M = " + std::to_string(*M) + " is unknown; 0 to 5 are known");
@@ -191,6 +199,8 @@ cntc_setinterfaciallayer(const int *ire, const int *icp, const int *M, const int
 void
 cntc_settemperaturedata(const int *ire, const int *icp, const int *H, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, icp, H, n, when(n, values)}))
+    return;
   with_problem({"cntc_settemperaturedata"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     ContactMaterial &material = problem.one.material;
     if (*H == 3)
@@ -214,6 +224,8 @@ cntc_settemperaturedata(const int *ire, const int *icp, const int *H, const int 
 void
 cntc_setfrictionmethod(const int *ire, const int *icp, const int *VL, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, icp, VL, n, when(n, values)}))
+    return;
   constexpr int counts[] = {2, 0, 7, 7, 7, 3, 6};
   with_problem({"cntc_setfrictionmethod"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     const int V = *VL / 10, L = *VL % 10;

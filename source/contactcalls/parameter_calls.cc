@@ -23,6 +23,8 @@ namespace
 void
 cntc_getcalculationtime(const int *ire, const int *icp, double *cpu, double *wall)
 {
+  if (faulty(__func__, {ire, icp, cpu, wall}))
+    return;
   *cpu = *wall = 0;
   with_problem({"cntc_getcalculationtime"}, *ire, *icp, [&](CallElement &, CallProblem &problem) {
     *cpu  = problem.cpu_seconds;
@@ -33,6 +35,8 @@ cntc_getcalculationtime(const int *ire, const int *icp, double *cpu, double *wal
 void
 cntc_resetcalculationtime(const int *ire, const int *icp)
 {
+  if (faulty(__func__, {ire, icp}))
+    return;
   with_problem({"cntc_resetcalculationtime"}, *ire, *icp, [](CallElement &, CallProblem &problem) {
     problem.cpu_seconds = problem.wall_seconds = 0;
   });
@@ -41,6 +45,8 @@ cntc_resetcalculationtime(const int *ire, const int *icp)
 void
 cntc_getparameters(const int *ire, const int *icp, const int *task, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, icp, task, n, when(n, values)}))
+    return;
   with_problem({"cntc_getparameters"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     const ContactCase         &one   = problem.one;
     const CallUnits           &u     = element.units;

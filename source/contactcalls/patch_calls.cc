@@ -113,18 +113,24 @@ namespace
 void
 cntc_getwheelsetposition(const int *ire, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, n, when(n, values)}))
+    return;
   get_motion("cntc_getwheelsetposition", *ire, *n, values, false);
 }
 
 void
 cntc_getwheelsetvelocity(const int *ire, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, n, when(n, values)}))
+    return;
   get_motion("cntc_getwheelsetvelocity", *ire, *n, values, true);
 }
 
 void
 cntc_getnumcontactpatches(const int *ire, int *n)
 {
+  if (faulty(__func__, {ire, n}))
+    return;
   *n = 0;
   with_problem({"cntc_getnumcontactpatches", 1, true}, *ire, -1, [&](CallElement &, CallProblem &problem) {
     *n = int(problem.wheel_rail->patches.size());
@@ -134,6 +140,8 @@ cntc_getnumcontactpatches(const int *ire, int *n)
 void
 cntc_getcontactlocation(const int *ire, const int *icp, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, values)}))
+    return;
   std::fill(values, values + std::max(0, *n), 0.);
   with_problem(
     {"cntc_getcontactlocation", 1, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
@@ -146,6 +154,8 @@ cntc_getcontactlocation(const int *ire, const int *icp, const int *n, double *va
 void
 cntc_getglobalforces(const int *ire, const int *icp, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, values)}))
+    return;
   std::fill(values, values + std::max(0, *n), 0.);
   with_problem(
     {"cntc_getglobalforces", 1, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {

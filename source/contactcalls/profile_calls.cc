@@ -163,6 +163,8 @@ cntc_getprofilevalues(const int *ire,
                       const int *n,
                       double    *values)
 {
+  if (faulty(__func__, {ire, task, n_integers, when(n_integers, integers), n, when(n, values)}))
+    return;
   get_profile("cntc_getprofilevalues", *ire, *task, *n_integers, integers, 1, *n, values);
 }
 
@@ -176,6 +178,16 @@ cntc_getprofilevalues_new(const int    *ire,
                           const int    *n,
                           double       *values)
 {
+  if (faulty(__func__,
+             {ire,
+              task,
+              n_integers,
+              when(n_integers, integers),
+              n_reals,
+              when(n_reals, reals),
+              n,
+              when(n, values)}))
+    return;
   get_profile(
     "cntc_getprofilevalues_new", *ire, *task, *n_integers, integers, *n_reals > 0 ? reals[0] : 1, *n, values);
 }

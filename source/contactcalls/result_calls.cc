@@ -149,6 +149,8 @@ namespace
 void
 cntc_getpenetration(const int *ire, const int *icp, double *approach)
 {
+  if (faulty(__func__, {ire, icp, approach}))
+    return;
   with_result(
     "cntc_getpenetration", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
       *approach = unit.length * s.solution.approach;
@@ -158,6 +160,8 @@ cntc_getpenetration(const int *ire, const int *icp, double *approach)
 void
 cntc_getcreepages(const int *ire, const int *icp, double *vx, double *vy, double *phi)
 {
+  if (faulty(__func__, {ire, icp, vx, vy, phi}))
+    return;
   with_result("cntc_getcreepages",
               *ire,
               *icp,
@@ -173,6 +177,8 @@ cntc_getcreepages(const int *ire, const int *icp, double *vx, double *vy, double
 void
 cntc_getcontactforces(const int *ire, const int *icp, double *fn, double *fx, double *fy, double *mz)
 {
+  if (faulty(__func__, {ire, icp, fn, fx, fy, mz}))
+    return;
   with_result(
     "cntc_getcontactforces", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
       *fn = s.patch ? s.patch->normal_force : s.solution.fn;
@@ -185,6 +191,8 @@ cntc_getcontactforces(const int *ire, const int *icp, double *fn, double *fx, do
 void
 cntc_getcontactpatchareas(const int *ire, const int *icp, double *contact, double *adhesion, double *slip)
 {
+  if (faulty(__func__, {ire, icp, contact, adhesion, slip}))
+    return;
   with_result("cntc_getcontactpatchareas",
               *ire,
               *icp,
@@ -199,6 +207,8 @@ cntc_getcontactpatchareas(const int *ire, const int *icp, double *contact, doubl
 void
 cntc_getelementdivision(const int *ire, const int *icp, const int *n, int *states)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, states)}))
+    return;
   with_result(
     "cntc_getelementdivision", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &) {
       for (int k = 0; k < std::min(*n, s.solution.grid.size()); ++k)
@@ -209,6 +219,8 @@ cntc_getelementdivision(const int *ire, const int *icp, const int *n, int *state
 void
 cntc_getmaximumpressure(const int *ire, const int *icp, double *pressure)
 {
+  if (faulty(__func__, {ire, icp, pressure}))
+    return;
   with_result(
     "cntc_getmaximumpressure", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
       *pressure = unit.stress * s.solution.peak_pressure;
@@ -218,6 +230,8 @@ cntc_getmaximumpressure(const int *ire, const int *icp, double *pressure)
 void
 cntc_getmaximumtraction(const int *ire, const int *icp, double *traction)
 {
+  if (faulty(__func__, {ire, icp, traction}))
+    return;
   with_result(
     "cntc_getmaximumtraction", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
       *traction = unit.stress * s.solution.peak_shear;
@@ -227,6 +241,8 @@ cntc_getmaximumtraction(const int *ire, const int *icp, double *traction)
 void
 cntc_getmaximumtemperature(const int *ire, const int *icp, double *body1, double *body2)
 {
+  if (faulty(__func__, {ire, icp, body1, body2}))
+    return;
   *body1 = *body2 = 0;
   with_result(
     "cntc_getmaximumtemperature", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &) {
@@ -240,30 +256,40 @@ cntc_getmaximumtemperature(const int *ire, const int *icp, double *body1, double
 void
 cntc_getfielddata(const int *ire, const int *icp, const int *code, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, icp, code, n, when(n, values)}))
+    return;
   get_fields("cntc_getfielddata", *ire, *icp, *n, {{*code, values}});
 }
 
 void
 cntc_gettractions(const int *ire, const int *icp, const int *n, double *pn, double *px, double *py)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, pn), when(n, px), when(n, py)}))
+    return;
   get_fields("cntc_gettractions", *ire, *icp, *n, {{5, pn}, {3, px}, {4, py}});
 }
 
 void
 cntc_getmicroslip(const int *ire, const int *icp, const int *n, double *sx, double *sy)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, sx), when(n, sy)}))
+    return;
   get_fields("cntc_getmicroslip", *ire, *icp, *n, {{15, sx}, {16, sy}});
 }
 
 void
 cntc_getdisplacements(const int *ire, const int *icp, const int *n, double *un, double *ux, double *uy)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, un), when(n, ux), when(n, uy)}))
+    return;
   get_fields("cntc_getdisplacements", *ire, *icp, *n, {{9, un}, {7, ux}, {8, uy}});
 }
 
 void
 cntc_getsensitivities(const int *ire, const int *icp, const int *n_out, const int *n_in, double *values)
 {
+  if (faulty(__func__, {ire, icp, n_out, n_in, when(n_in, values)}))
+    return;
   std::fill(values, values + std::max(0, *n_out) * std::max(0, *n_in), 0.);
   with_result(
     "cntc_getsensitivities", *ire, *icp, [](const CallResult &, const CallProblem &, const FromSI &) {
@@ -274,6 +300,8 @@ cntc_getsensitivities(const int *ire, const int *icp, const int *n_out, const in
 void
 cntc_gethertzcontact(const int *ire, const int *icp, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, values)}))
+    return;
   with_result("cntc_gethertzcontact",
               *ire,
               *icp,
@@ -300,6 +328,8 @@ cntc_gethertzcontact(const int *ire, const int *icp, const int *n, double *value
 void
 cntc_getnumelements(const int *ire, const int *icp, int *mx, int *my)
 {
+  if (faulty(__func__, {ire, icp, mx, my}))
+    return;
   *mx = *my = 0;
   with_result(
     "cntc_getnumelements", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &) {
@@ -311,6 +341,8 @@ cntc_getnumelements(const int *ire, const int *icp, int *mx, int *my)
 void
 cntc_getgriddiscretization(const int *ire, const int *icp, double *dx, double *dy)
 {
+  if (faulty(__func__, {ire, icp, dx, dy}))
+    return;
   with_result("cntc_getgriddiscretization",
               *ire,
               *icp,
@@ -323,6 +355,8 @@ cntc_getgriddiscretization(const int *ire, const int *icp, double *dx, double *d
 void
 cntc_getpotcontact(const int *ire, const int *icp, const int *n, double *values)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, values)}))
+    return;
   with_result(
     "cntc_getpotcontact", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
       const HalfspaceGrid &g = s.solution.grid;
@@ -340,6 +374,8 @@ cntc_getpotcontact(const int *ire, const int *icp, const int *n, double *values)
 void
 cntc_getreferencevelocity(const int *ire, const int *icp, double *velocity)
 {
+  if (faulty(__func__, {ire, icp, velocity}))
+    return;
   with_problem(
     {"cntc_getreferencevelocity", 0, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
       *velocity = element.module == 3

@@ -16,17 +16,6 @@ namespace
 {
   constexpr int interface_version = 2520; // of CONTACT's revision 2707
 
-  /// A text of the caller: blanks stand for nothing.
-  std::string
-  text_of(const char *text, const int length)
-  {
-    std::string s(text ? text : "", text ? std::size_t(std::max(length, 0)) : 0);
-    s = s.substr(0, s.find('\0'));
-    while (!s.empty() && s.back() == ' ')
-      s.pop_back();
-    return s;
-  }
-
   void
   start(int *version, int *error, const int screen, const std::string &folder, const std::string &name)
   {
@@ -52,7 +41,11 @@ cntc_initializefirst(int        *version,
                      const int  *folder_length,
                      const int  *name_length)
 {
-  start(version, error, *output, text_of(folder, *folder_length), text_of(name, *name_length));
+  if (error)
+    *error = call_error::input;
+  if (faulty(__func__, {version, error, output, folder_length, name_length}))
+    return;
+  start(version, error, *output, call_text(folder, *folder_length), call_text(name, *name_length));
 }
 
 void
@@ -66,7 +59,11 @@ cntc_initializefirst_new(int       *version,
                          const int *folder_length,
                          const int *name_length)
 {
-  start(version, error, *output, text_of(folder, *folder_length), text_of(name, *name_length));
+  if (error)
+    *error = call_error::input;
+  if (faulty(__func__, {version, error, output, folder_length, name_length}))
+    return;
+  start(version, error, *output, call_text(folder, *folder_length), call_text(name, *name_length));
 }
 
 void
@@ -77,14 +74,20 @@ cntc_initialize(const int  *ire,
                 const char *folder,
                 const int  *folder_length)
 {
+  if (error)
+    *error = call_error::input;
+  if (faulty(__func__, {ire, module, version, error, folder_length}))
+    return;
   dealii::MultithreadInfo::set_thread_limit(1);
   *version = interface_version;
-  *error   = make_element(*ire, *module, text_of(folder, *folder_length));
+  *error   = make_element(*ire, *module, call_text(folder, *folder_length));
 }
 
 void
 cntc_finalize(const int *ire)
 {
+  if (faulty(__func__, {ire}))
+    return;
   drop_element(*ire);
 }
 
@@ -97,14 +100,17 @@ cntc_finalizelast()
 void
 cntc_readinpfile(const int *ire, const int *kind, const char *name, const int *name_length, int *error)
 {
-  *error = call_error::input;
+  if (error)
+    *error = call_error::input;
+  if (faulty(__func__, {ire, kind, name_length, error}))
+    return;
   if (with_problem({"cntc_readinpfile", 1}, *ire, -1, [&](CallElement &, CallProblem &problem) {
         if (*kind != 1988)
           throw InputError("input of kind " + std::to_string(*kind) +
                            " is not read; taken is 1988 (module 1)");
-        const std::vector<ContactCase> cases = read_inp_file(text_of(name, *name_length));
+        const std::vector<ContactCase> cases = read_inp_file(call_text(name, *name_length));
         if (cases.empty() || cases.front().module != 1)
-          throw InputError(text_of(name, *name_length) + " does not begin with a case of module 1");
+          throw InputError(call_text(name, *name_length) + " does not begin with a case of module 1");
         problem.one = cases.front();
       }) == 0)
     *error = 0;
@@ -113,6 +119,8 @@ cntc_readinpfile(const int *ire, const int *kind, const char *name, const int *n
 void
 cntc_setglobalflags(const int *n, const int *codes, const int *values)
 {
+  if (faulty(__func__, {n, when(n, codes), when(n, values)}))
+    return;
   for (int k = 0; k < *n; ++k)
     set_global_flag(codes[k], values[k]);
 }
@@ -120,6 +128,8 @@ cntc_setglobalflags(const int *n, const int *codes, const int *values)
 void
 cntc_setflags(const int *ire, const int *icp, const int *n, const int *codes, const int *values)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, codes), when(n, values)}))
+    return;
   with_problem({"cntc_setflags"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     for (int k = 0; k < *n; ++k)
       set_flag(element, problem, codes[k], values[k]);
@@ -129,6 +139,8 @@ cntc_setflags(const int *ire, const int *icp, const int *n, const int *codes, co
 void
 cntc_getflags(const int *ire, const int *icp, const int *n, const int *codes, int *values)
 {
+  if (faulty(__func__, {ire, icp, n, when(n, codes), when(n, values)}))
+    return;
   with_problem({"cntc_getflags"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
     for (int k = 0; k < *n; ++k)
       values[k] = flag(element, problem, codes[k]);
@@ -138,6 +150,8 @@ cntc_getflags(const int *ire, const int *icp, const int *n, const int *codes, in
 void
 cntc_setmetadata(const int *ire, const int *icp, const int *, const int *, const double *)
 {
+  if (faulty(__func__, {ire, icp}))
+    return;
   // for files .mat alone, which are not written
   with_problem({"cntc_setmetadata"}, *ire, *icp, [](CallElement &, CallProblem &) {});
 }

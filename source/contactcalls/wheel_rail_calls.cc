@@ -3,6 +3,7 @@
 #include <wheelrail/contactcalls/contact_calls.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -138,18 +139,24 @@ namespace
 void
 cntc_settrackdimensions(const int *ire, const int *Z, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, Z, n, when(n, values)}))
+    return;
   set_track("cntc_settrackdimensions", *ire, *Z, *n, values);
 }
 
 void
 cntc_settrackdimensions_new(const int *ire, const int *Z, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, Z, n, when(n, values)}))
+    return;
   set_track("cntc_settrackdimensions_new", *ire, *Z, *n, values);
 }
 
 void
 cntc_settrackdimensions_old(const int *ire, const int *, const int *, const double *)
 {
+  if (faulty(__func__, {ire}))
+    return;
   set_wheel_rail("cntc_settrackdimensions_old", *ire, [](ContactCase &, const CallElement &, CallProblem &) {
     throw InputError("the values of this old form are not taken; call cntc_settrackdimensions");
   });
@@ -164,11 +171,12 @@ cntc_setprofileinputfname(const int    *ire,
                           const int    *n_reals,
                           const double *reals)
 {
+  if (faulty(__func__,
+             {ire, name_length, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)}))
+    return;
   set_wheel_rail(
     "cntc_setprofileinputfname", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
-      std::string file(name, std::size_t(std::max(0, *name_length)));
-      file = file.substr(0, file.find('\0'));
-      file.erase(file.find_last_not_of(' ') + 1);
+      std::string file = call_text(name, *name_length);
       std::replace(file.begin(), file.end(), '\\', '/');
       std::error_code ignored;
       if (!std::filesystem::is_regular_file(file, ignored))
@@ -190,6 +198,9 @@ cntc_setprofileinputvalues(const int    *ire,
                            const int    *n_reals,
                            const double *reals)
 {
+  if (faulty(__func__,
+             {ire, n_points, yz, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)}))
+    return;
   set_wheel_rail(
     "cntc_setprofileinputvalues", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
       const bool wheel = *n_integers < 1 || integers[0] >= 1;
@@ -198,7 +209,11 @@ cntc_setprofileinputvalues(const int    *ire,
       ContactProfile profile = profile_options(*n_integers, integers, *n_reals, reals, element.units);
       profile.file           = wheel ? "values of the wheel" : "values of the rail";
       for (int k = 0; k < *n_points; ++k)
-        profile.points.emplace_back(yz[2 * k], yz[2 * k + 1]);
+        {
+          if (!std::isfinite(yz[2 * k] + yz[2 * k + 1]))
+            throw InputError("the profile holds a number that is not finite");
+          profile.points.emplace_back(yz[2 * k], yz[2 * k + 1]);
+        }
       (wheel ? one.wheelset.profile : one.track.profile) = profile;
     });
 }
@@ -206,6 +221,8 @@ cntc_setprofileinputvalues(const int    *ire,
 void
 cntc_setwheelsetdimensions(const int *ire, const int *E, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, E, n, when(n, values)}))
+    return;
   set_wheel_rail(
     "cntc_setwheelsetdimensions", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
       if (*E <= 0)
@@ -225,6 +242,8 @@ cntc_setwheelsetdimensions(const int *ire, const int *E, const int *n, const dou
 void
 cntc_setwheelsetposition(const int *ire, const int *E, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, E, n, when(n, values)}))
+    return;
   set_wheel_rail("cntc_setwheelsetposition",
                  *ire,
                  [&](ContactCase &one, const CallElement &element, CallProblem &problem) {
@@ -240,6 +259,8 @@ cntc_setwheelsetposition(const int *ire, const int *E, const int *n, const doubl
 void
 cntc_setwheelsetvelocity(const int *ire, const int *E, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, E, n, when(n, values)}))
+    return;
   set_wheel_rail("cntc_setwheelsetvelocity",
                  *ire,
                  [&](ContactCase &one, const CallElement &element, CallProblem &problem) {
@@ -255,6 +276,8 @@ cntc_setwheelsetvelocity(const int *ire, const int *E, const int *n, const doubl
 void
 cntc_setwheelsetflexibility(const int *ire, const int *E, const int *n, const double *values)
 {
+  if (faulty(__func__, {ire, E, n, when(n, values)}))
+    return;
   set_wheel_rail(
     "cntc_setwheelsetflexibility", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
       one.wheelset.flexible.fill(0);

@@ -3,9 +3,11 @@
 #include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/tables/text_rows.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 namespace wheelrail
 {
@@ -60,6 +62,42 @@ namespace wheelrail
         fail(one,
              second,
              "no case has stated the wheelset and the profile of the wheel; set E = 3 and state them");
+    }
+
+    /// Numbers of module 1 that calls can set to anything.
+    void
+    check_finite(const ContactCase &one)
+    {
+      const ContactTrack    &track    = one.track;
+      const ContactWheelset &wheelset = one.wheelset;
+      const ContactElements &elements = one.elements;
+      std::vector<double>    all{track.gauge_height,
+                              track.gauge,
+                              track.rail_y,
+                              track.rail_z,
+                              track.cant,
+                              track.roller_radius,
+                              wheelset.flange_distance,
+                              wheelset.flange_place,
+                              wheelset.radius,
+                              elements.dx,
+                              elements.ds,
+                              elements.a_sep,
+                              elements.d_sep,
+                              elements.d_comb,
+                              elements.d_turn};
+      all.insert(all.end(), track.deviation.begin(), track.deviation.end());
+      all.insert(all.end(), wheelset.position.begin(), wheelset.position.end());
+      all.insert(all.end(), wheelset.velocity.begin(), wheelset.velocity.end());
+      all.insert(all.end(), wheelset.flexible.begin(), wheelset.flexible.end());
+      constexpr double most = 1e12;
+      if (!std::all_of(all.begin(), all.end(), [](const double v) { return std::abs(v) < most; }))
+        fail(
+          one, one.line, "a number of the track, the wheelset or the elements is not finite, or beyond 1e12");
+      if (!(elements.dx > 0 && elements.dx <= 100 && elements.ds > 0 && elements.ds <= 100))
+        fail(one, elements.line, "DX and DS, the size of the elements, are not from 0 to 100 mm");
+      if (!(wheelset.radius > 0) || (one.digits.side >= 4 && !(track.roller_radius > 0)))
+        fail(one, wheelset.line, "NOMRADW, or NOMRADR of a roller, is not positive");
     }
 
     /// A grid has to be that of the case before, shifted by whole elements.
@@ -124,6 +162,7 @@ namespace wheelrail
     if (one.module == 3)
       return check_basic(one, before);
     check_stated(one);
+    check_finite(one);
     if (before && one.digits.past != 2 && (one.digits.motion == 1 || one.digits.motion == 2) &&
         (one.elements.dx != before->elements.dx || one.elements.ds != before->elements.ds))
       fail(one, one.elements.line, "DX and DS may not change where shifts and transient rolling go on");

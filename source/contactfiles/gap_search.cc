@@ -223,10 +223,7 @@ namespace wheelrail
 
 
   std::vector<GapPlace>
-  gap_places(const WheelRailPose &pose,
-             const ProfileLine   &rail,
-             const ProfileLine   &wheel,
-             const double         spacing)
+  gap_places(const WheelRailPose &pose, const ProfileLine &rail, const ProfileLine &wheel, const double most)
   {
     const RigidMotion to_track = then(pose.wheel, pose.wheelset);
     const CurveAt     on_rail  = [&](const double t) {
@@ -240,6 +237,7 @@ namespace wheelrail
         low            = std::min(low, y);
         high           = std::max(high, y);
       }
+    const double spacing   = std::min(most, 0.1 * (high - low)); // more than one place, whatever the elements
     const auto   n         = std::size_t((high - low) / spacing) + 1;
     const auto   on_rails  = points_over(rail.samples(), on_rail, low, spacing, n, -1);
     const double centre    = pose.rail.move[2] + pose.axle[2]; // of a roller

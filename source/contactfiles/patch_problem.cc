@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/contactfiles/case_problem.h>
 #include <wheelrail/contactfiles/patch_problem.h>
 
@@ -11,7 +12,8 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double far_apart = 1; // [m]
+    constexpr double far_apart = 1;   // [m]
+    constexpr double longest   = 1e6; // grid, in elements
     constexpr double none      = std::numeric_limits<double>::quiet_NaN();
 
     /// Heights n of the rail over the rows s of a plane, counted into the rail; NaN beside it.
@@ -228,9 +230,13 @@ namespace wheelrail
       grid.x0 = ix * grid.dx;
       grid.y0 = iy * grid.dy;
     };
+    if (!((high_x - low_x) / grid.dx < longest && (high_y - low_y) / grid.dy < longest))
+      throw InputError(
+        "Half-spaces: the overlap of wheel and rail is more than 1000000 elements long: a position or force "
+        "out of scale");
     lay();
     const double most = one.iteration.largest;
-    while (!fixed && most >= 100 && double(grid.mx) * grid.my >= most)
+    while (!fixed && most >= 100 && double(grid.mx) * grid.my >= most && std::max(grid.mx, grid.my) > 10)
       {
         const bool wide = grid.mx > 10, long_ = grid.my > 10;
         grid.dx *= wide ? 2 : 1;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 // Grids and undeformed distances h(x, y) at the centres of elements [m].
 
@@ -28,6 +29,42 @@ namespace wheelrail
     grid.y0 = -ny * dy;
     return grid;
   }
+
+  namespace
+  {
+    /// Whether all that moves, presses and heats is finite, and products of several of it.
+    bool
+    has_finite_numbers(const HalfspaceProblem &problem)
+    {
+      std::vector<double> numbers{problem.body1.shear_modulus,
+                                  problem.body2.shear_modulus,
+                                  problem.approach,
+                                  problem.normal_force,
+                                  problem.velocity,
+                                  problem.step,
+                                  problem.xi,
+                                  problem.eta,
+                                  problem.phi,
+                                  problem.fx,
+                                  problem.fy,
+                                  problem.spin_offset,
+                                  problem.friction.at_rest,
+                                  problem.memory_length,
+                                  problem.layer_compliance,
+                                  problem.normal_compliance};
+      for (const FrictionLaw &law : problem.row_friction)
+        numbers.push_back(law.at_rest);
+      for (const FrictionOfTemperature &hot : problem.hot_friction)
+        numbers.insert(numbers.end(), {hot.from, hot.range, hot.change});
+      if (problem.heat)
+        for (const std::size_t body : {0, 1})
+          numbers.insert(numbers.end(), {problem.heat->far[body], problem.heat->effusivity[body]});
+      for (const auto *values : {&problem.rigid_slip_x, &problem.rigid_slip_y, &problem.pressure})
+        numbers.insert(numbers.end(), values->begin(), values->end());
+      constexpr double most = 1e20;
+      return std::all_of(numbers.begin(), numbers.end(), [](const double v) { return std::abs(v) < most; });
+    }
+  } // namespace
 
   void
   check_problem(const HalfspaceProblem &problem)
@@ -76,6 +113,8 @@ namespace wheelrail
       refuse(
         "the memory length of friction and the compliance of a layer must not be negative, the least "
         "speed of the memory must be positive.");
+    if (!has_finite_numbers(problem))
+      refuse("forces, creepages, spin, velocity, slip, moduli and temperatures must be finite numbers.");
     if (problem.heat && !(problem.heat->effusivity[0] > 0 && problem.heat->effusivity[1] > 0))
       refuse("bodies that take up heat need a positive effusivity.");
     if (!problem.hot_friction.empty() &&

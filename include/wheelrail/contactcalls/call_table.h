@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -103,6 +104,31 @@ namespace wheelrail
   drop_element(int number);
   void
   drop_all_elements();
+
+  /// An argument of a function: where it lies, and the numbers that are read from there.
+  struct CallArgument
+  {
+    CallArgument(const int *pointer);
+    CallArgument(const double *numbers);
+    CallArgument(double *result);
+
+    const void   *pointer;
+    const double *numbers = nullptr;
+    int           count   = 1;
+  };
+
+  /// An array, which may be null where its length is not positive.
+  CallArgument
+  when(const int *n, CallArgument array);
+
+  /// Says which function has an argument that is a null pointer or holds a number that is not finite, if it
+  /// has one.
+  bool
+  faulty(const char *function, std::initializer_list<CallArgument> arguments);
+
+  /// A text of the caller, of a path's length at most, without blanks behind it.
+  std::string
+  call_text(const char *text, int length);
 
   /// Does `work` with the contact problem icp of a result element. A problem is made where a function that
   /// sets values first names it; module 1 has the one problem -1. Where there is no such element or problem,

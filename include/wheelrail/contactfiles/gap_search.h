@@ -23,10 +23,10 @@ namespace wheelrail
     double line   = 0; ///< parameter on the rail's section
   };
 
-  /// Those places from the track centre to the field side, a third of an element apart; none where rail and
+  /// Those places from the track centre to the field side, at most so far apart; none where rail and
   /// wheel do not lie over each other.
   std::vector<GapPlace>
-  gap_places(const WheelRailPose &pose, const ProfileLine &rail, const ProfileLine &wheel, double spacing);
+  gap_places(const WheelRailPose &pose, const ProfileLine &rail, const ProfileLine &wheel, double most);
 
   /// A contact patch as the overlap of the undeformed surfaces places it, in the axes of the track.
   struct PatchPlace
