@@ -1,8 +1,8 @@
 // ranks: 1 2
 // label: long
 // Runs on rails by slices: one section all along is the plain rail; over the gap of a joint the load goes
-// from one rail to the other; on a crossing it goes from the wing to the nose where half-spaces on bodies
-// that give as these do share it.
+// from one rail to the other, and momentum changes by the impulse where that is lower or higher; on a
+// crossing the load goes from the wing to the nose where half-spaces on bodies that give as these do share it.
 #include "between_rows.h"
 #include "parallel.h"
 #include "slices_files.h"
@@ -13,11 +13,13 @@
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/run/run_state.h>
 #include <wheelrail/sections/section_contacts.h>
 #include <wheelrail/wheel/halfspace_parts.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -58,6 +60,15 @@ namespace
     write_slices("plain.slcs", "head.txt", -200, 300);
     write_slices("before.slcs", "head.txt", -200, 0);
     write_slices("behind.slcs", "head.txt", 6, 200);
+    for (const double low : {0.5, -0.5})
+      {
+        std::vector<Point2> points = head_points();
+        for (Point2 &p : points)
+          p.y += low;
+        const std::string name = low > 0 ? "lower" : "higher";
+        write_points(name + ".txt", points);
+        write_slices(name + ".slcs", name + ".txt", 6, 200);
+      }
   }
 
   Summary
@@ -105,6 +116,61 @@ namespace
     check_near(1e3 * even, 27, 2.5, "the load goes over to the second rail [mm]");
     check(get_figure(summary, "first_rail_force_N") > 5e4 && get_figure(summary, "second_rail_force_N") > 5e4,
           "largest forces of both rails are in the summary");
+  }
+
+  /// Vertical momentum of wheel and axle, of the half step behind [N s].
+  double
+  momentum(const RunState &run, const double axle_mass, const double axle_speed)
+  {
+    double       sum   = axle_mass * axle_speed;
+    const Solid &solid = run.model.solid;
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      if (solid.mesh.node_body[n] == Body::wheel && solid.mesh.owns(n))
+        sum += (solid.mass[n] + solid.added_mass[n]) * solid.velocity[4 * n + 1];
+    return sum;
+  }
+
+  /// Over a gap of 6 mm to a rail 0.5 mm lower or higher: the wheel's momentum changes by the impulse of
+  /// contact, load and suspension, and energy is kept.
+  void
+  test_step(const std::string &behind)
+  {
+    Scene scene                  = short_scene("before.slcs");
+    scene.second_rail            = behind;
+    scene.rail_place             = -30e-3;
+    scene.rolling_distance       = 60e-3;
+    scene.velocity               = 15;
+    scene.fine_margin            = 8e-3;
+    scene.window                 = MeshWindow::fixed;
+    const SceneGeometry geometry = make_geometry(scene);
+    Log                 log;
+    const auto          run =
+      start_run(scene, geometry, make_model(scene, geometry, MPI_COMM_SELF), {}, log, MPI_COMM_SELF);
+    const AxleData &axle = run->model.axle;
+    const double    dt = run->model.time_step, load = run->model.wheel_load;
+    const double of_wheel = mass_properties(run->model.solid, Body::wheel, axle.centre, MPI_COMM_SELF).mass,
+                 of_axle  = load / scene.gravity - axle.sprung_mass - of_wheel;
+    const double start    = run->axle.height();
+    double       before = start, speed = 0, impulse = 0, first = 0, largest = 0, worst = 0, energy = 0;
+    for (long k = 0; k < std::lround(run->model.duration / dt); ++k)
+      {
+        const double force = load + axle.stiffness * (before - start) + axle.damping * speed;
+        run->rolling.step(true);
+        speed            = (run->axle.height() - before) / dt;
+        before           = run->axle.height();
+        const double now = momentum(*run, of_axle, speed);
+        if (k == 0)
+          first = now;
+        else
+          impulse += dt * (run->rolling.contact_sums().force[1] - force);
+        largest = std::max(largest, std::abs(impulse));
+        worst   = std::max(worst, std::abs(now - first - impulse));
+        energy  = std::max(energy, std::abs(run->rolling.energy().residual()));
+      }
+    check(worst < 0.01 * largest,
+          behind + ": momentum by impulse, off by " + std::to_string(worst) + " of " +
+            std::to_string(largest) + " N s");
+    check(energy < 0.01 * load * 0.5e-3, behind + ": energy off by " + std::to_string(energy) + " J");
   }
 
   /// Wing and nose under a wheel on half-spaces.
@@ -209,6 +275,9 @@ main(int argc, char **argv)
   MPI_Barrier(MPI_COMM_WORLD);
   test_one_section();
   test_joint();
+  if (parallel.size == 1)
+    for (const std::string behind : {"lower.slcs", "higher.slcs"})
+      test_step(behind);
   test_crossing();
   return parallel.report();
 }

@@ -20,10 +20,13 @@
 #include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/run/passage_list.h>
+#include <wheelrail/run/run_texts.h>
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
 #include <wheelrail/vehicle/wheelset_command.h>
@@ -69,6 +72,11 @@ namespace wheelrail
       print_notes(idle_entries(options, given, "run"), out);
       const ExpectedPatch patch = expected_patch(input.scene, *checked.geometry);
       print_note(expected_accuracy(input.scene, patch), out);
+      const StableStep limit = limit_of_step(input.scene, *checked.geometry);
+      print_note("time step: " + time_step_text(run_duration(input.scene),
+                                                input.scene.time_step_factor * limit.step,
+                                                limit),
+                 out);
       if (input.scene.error_estimate == ErrorEstimate::two_meshes)
         print_note(cost_of_coarser_cells(input.scene, patch), out);
       out << file_of(options) << ": all entries are valid"

@@ -152,17 +152,21 @@ namespace wheelrail
       prepare(model.solid, model.discretization->local_mesh(), communicator);
     }
 
+    StableStep
+    step_of_cells(const Scene &scene, const SweepPlan &plan)
+    {
+      return step_on_path(
+        plan, {elasticity(scene.rail_material), elasticity(scene.wheel_material)}, scene.bulk_viscosity);
+    }
+
     /// Bodies and contact on the mesh of the start; the contact's law follows from it.
     void
     prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
     {
       const SweepPlan &plan = model.discretization->plan();
       prepare_solid(model, communicator);
-      const StableStep on_path = step_on_path(
-        plan,
-        {elasticity(model.solid.choice.material.rail), elasticity(model.solid.choice.material.wheel)},
-        scene.bulk_viscosity);
-      const double shorter = on_path.step / model.solid.stable.step;
+      const StableStep on_path = step_of_cells(scene, plan);
+      const double     shorter = on_path.step / model.solid.stable.step;
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
       model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
       prepare_parts(model.parts, model.solid);
@@ -313,6 +317,13 @@ namespace wheelrail
   sweep_plan(const Scene &scene, const SceneGeometry &geometry)
   {
     return plan_of(scene, geometry, sweep_sizes(scene, geometry, sample_path(scene, geometry)));
+  }
+
+
+  StableStep
+  limit_of_step(const Scene &scene, const SceneGeometry &geometry)
+  {
+    return step_of_cells(scene, sweep_plan(scene, geometry));
   }
 
 

@@ -20,6 +20,25 @@ namespace wheelrail
   }
 
 
+  std::string
+  time_step_text(const double duration, const double step, const StableStep &limit)
+  {
+    return text(
+      "%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
+      "%.1f, Z %.1f mm%s%s",
+      1e6 * step,
+      duration / step,
+      1e6 * limit.step,
+      1e3 * limit.length,
+      body_name(limit.body),
+      1e3 * limit.place[0],
+      1e3 * limit.place[1],
+      1e3 * limit.place[2],
+      limit.lowered_by_edges ? ", lowered since free edges vibrate faster" : "",
+      limit.of_parts > 1e-3 ? text(", by %.1f %% by pads and ballast", 100 * limit.of_parts).c_str() : "");
+  }
+
+
   void
   write_header(Log                            &log,
                const Scene                    &scene,
@@ -30,7 +49,6 @@ namespace wheelrail
                const std::vector<std::string> &warnings)
   {
     const MeshQuality     &q       = model.solid.quality;
-    const StableStep      &s       = model.solid.stable;
     const ContactGeometry &g       = model.geometry;
     const Lattice         &lattice = model.contact->lattice();
     log.value("scene", scene.title);
@@ -58,20 +76,7 @@ namespace wheelrail
                    1e3 * lattice.spacing_along,
                    1e3 * lattice.spacing_lateral));
     log.value("worst cell", text("smallest corner Jacobian is %.2f of the mean", q.worst_jacobian));
-    log.value(
-      "time step",
-      text("%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
-           "%.1f, Z %.1f mm%s%s",
-           1e6 * model.time_step,
-           model.duration / model.time_step,
-           1e6 * s.step,
-           1e3 * s.length,
-           body_name(s.body),
-           1e3 * s.place[0],
-           1e3 * s.place[1],
-           1e3 * s.place[2],
-           s.lowered_by_edges ? ", lowered since free edges vibrate faster" : "",
-           s.of_parts > 1e-3 ? text(", by %.1f %% by pads and ballast", 100 * s.of_parts).c_str() : ""));
+    log.value("time step", time_step_text(model.duration, model.time_step, model.solid.stable));
     log.value(
       "contact",
       text("penalty %.3g N/m3 (penalty scale %g) on the nodes of the rail; added surface mass keeps the step",

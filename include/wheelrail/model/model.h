@@ -39,6 +39,11 @@ namespace wheelrail
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry);
 
+  /// The step that the cells allow on the whole path (step_on_path()); supports and free edges may shorten
+  /// it. Throws as sweep_plan().
+  StableStep
+  limit_of_step(const Scene &scene, const SceneGeometry &geometry);
+
   /// Makes the mesh of the model's window, and prepares the bodies and the contact on it, at rest:
   /// masses, surfaces, added mass. The law of the contact stays that of the first mesh. Collective.
   void

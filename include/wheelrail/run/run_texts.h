@@ -16,6 +16,10 @@ namespace wheelrail
   std::string
   mesh_text(const MeshQuality &q);
 
+  /// Time step [s] and number of steps of a run of `duration` [s], and the cell that limits the step.
+  std::string
+  time_step_text(double duration, double step, const StableStep &limit);
+
   /// Writes what a run starts from: the scene in words (scene_head()) with a `note` on it, if any, contact
   /// point, mesh, time step, contact stiffness, the notes on profile files, and the warnings of the checks.
   void
