@@ -4,7 +4,7 @@
 // plastic moments.
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/solid/elastic_scope.h>
+#include <wheelrail/solid/law_scope.h>
 #include <wheelrail/solid/point_state.h>
 
 #include "check.h"

@@ -2,21 +2,15 @@
 
 // The verdict on a finished run and on old summaries: rules, grades, words.
 
-#include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/model/scene_checks.h>
-#include <wheelrail/run/run_end.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
 
 #include "check.h"
+#include "good_measures.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace wheelrail;
@@ -24,39 +18,6 @@ using namespace test;
 
 namespace
 {
-  void
-  holds(const std::string &text, const std::string &part, const std::string &name)
-  {
-    check(text.find(part) != std::string::npos, name + " [" + text + "]");
-  }
-
-  /// The main scene on 1 mm, as it comes out.
-  Measures
-  good()
-  {
-    Measures m;
-    m.cells             = 12.8;
-    m.cells_across_peak = 6.5;
-    m.penetration       = 0.008;
-    m.unsteadiness      = 3e-4;
-    m.pressure_noise    = 1e-3;
-    m.swing             = 2e-3;
-    m.swing_of          = "creepage";
-    m.drift             = 3e-3;
-    m.drift_of          = "contact area";
-    m.settled_after     = 10e-3;
-    m.means_from        = 40e-3;
-    m.energy_error      = 4e-4;
-    m.load_miss         = 2e-4;
-    m.torque_miss       = 2e-3;
-    m.peak_pressure     = 1.23e9;
-    m.peak_difference   = -0.015;
-    m.turn              = 0.1;
-    m.contact_modulus   = 115.4e9;
-    m.margin            = 23e-3;
-    return m;
-  }
-
   /// One measure at a value, and what is then said.
   void
   test_rule(double Measures::*const measure, const double value, const Grade grade, const std::string &part)
@@ -138,85 +99,6 @@ namespace
     test_rule(&Measures::edge, 20e-3, care, "The peak pressure does not hold, forces do");
     test_rule(
       &Measures::peak_pressure, 6.1e9, no, "The peak pressure of 6.1 GPa is more than any rail steel bears");
-  }
-
-  /// Intervals reach as far as Run/Wanted accuracy says.
-  void
-  test_intervals()
-  {
-    const auto judged = [](const Known &known, const double wanted) {
-      Measures m        = good();
-      m.wanted          = wanted;
-      m.peak            = known;
-      m.peak_difference = 0;
-      return judge_run(Scene(), m);
-    };
-    check_text(
-      judged({0.07, "measured input"}, 0.05).doubts(),
-      "The noise in the points of the measured profiles leaves the peak pressure uncertain by 7.0 %; "
-      "take points with less noise or more digits.",
-      "noise");
-    check(judged({0.07, "measured input"}, 0.07).findings.empty(), "what was wanted");
-    check(judged({0.07, "measured input"}, 0.03).grade() == Grade::not_trusted, "more than twice of it");
-    holds(judged({INFINITY, "measured input"}, 0.05).doubts(), "uncertain by an unknown part", "no bound");
-    check_text(judged({0.02, "cells and penalty layer"}, 0.01).doubts(),
-               "Too few cells: 12.8 of 1 mm lie across the patch, and leave the peak pressure uncertain by "
-               "2.0 %; take Mesh/Solution cell size = 0.5 mm.",
-               "cells");
-    check(judged({0.04, "cells and penalty layer"}, 0.05).findings.empty(),
-          "an interval within what is wanted");
-    Measures slow = good();
-    slow.creep    = {0.14, "noise and trend"};
-    check_text(judge_run(Scene(), slow).doubts(),
-               "Noise and trend leave creepage or T-gamma uncertain by 14.0 %; roll until steady "
-               "(Run/Rolling distance = until steady).",
-               "T-gamma of the quick start");
-    check(judge_run(Scene(), slow).grade() == Grade::with_care, "the peak is known");
-    const Contributions causes{{"max_pressure", "cells", 10, 0},
-                               {"max_pressure", "elements", -2, 3},
-                               {"max_pressure", "noise", 0, 4},
-                               {"contact_area", "noise", 0, INFINITY}};
-    const Interval      interval = interval_of("max_pressure", 100, causes);
-    check_near(interval.low, 100, 1e-12, "shifts of 8 add up, and the value lies within");
-    check_near(interval.high, 113, 1e-12, "spreads of 3 and 4 by their squares");
-    check_near(
-      interval_of("max_pressure", 100, {{"max_pressure", "cells", 1, 5}}).low, 96, 1e-12, "the other side");
-    check(known_within("max_pressure", 100, 1, causes).cause == "cells", "the largest cause");
-    check_near(known_within("max_pressure", 100, 1, causes).within, 0.13, 1e-12, "the farther side");
-    check(std::isnan(interval_of("contact_area", 1, causes).low), "no number where a cause has no bound");
-    check(std::isinf(known_within("contact_area", 1, 1, causes).within), "and it is known badly");
-    check(std::isnan(known_within("creepage", 1, 1, causes).within), "of which no cause is known");
-  }
-
-  /// Results that err with a power of the cells: the end they tend to lies in the interval.
-  void
-  test_two_meshes()
-  {
-    Summary run, coarser;
-    run.max_pressure           = 1200 - 1;
-    coarser.max_pressure       = 1200 - 4; // second order
-    run.max_plastic_strain     = 4e-3 - 1e-3;
-    coarser.max_plastic_strain = 4e-3 - 2e-3; // first
-    run.creepage = coarser.creepage = 2e-3;
-    Scene               rate;
-    const Contributions causes = two_mesh_contributions(rate, run, coarser, 1e9);
-    const auto          shift  = [](const Contributions &contributions, const std::string &name) {
-      double sum = 0;
-      for (const Contribution &one : contributions)
-        sum += one.result == name ? one.shift : 0;
-      return sum;
-    };
-    check_near(shift(causes, "max_pressure"), 1, 1e-9, "the second order ends there");
-    check_near(shift(causes, "max_plastic_strain"), 1e-3, 1e-12, "and the first");
-    const Interval strain = interval_of("max_plastic_strain", run.max_plastic_strain, causes);
-    check_near(strain.low, 3e-3, 1e-11, "from the run");
-    check_near(strain.high, 5e-3, 1e-11, "to the change beyond the end");
-    const Contributions few = two_mesh_contributions(rate, run, coarser, 10);
-    check_near(interval_of("creepage", 2e-3, few).high, 2.1e-3, 1e-9, "two that agree may do so by chance");
-    rate.drive = Drive::rate;
-    check(std::isnan(interval_of("creepage", 2e-3, two_mesh_contributions(rate, run, coarser, 10)).low),
-          "a creepage that is given has no error");
-    check(!std::isfinite(interval_of("lateral_force", 0, few).low), "nor what neither run has");
   }
 
   /// Cells and penalty are judged whatever half-spaces know of the scene.
@@ -405,72 +287,6 @@ namespace
     check_near(good().lost(), 0.0146, 2e-4, "and both, as bodies confirm it");
   }
 
-  /// A quiet run whose figures are those of half-spaces, judged as a run is at its end.
-  void
-  test_run()
-  {
-    const SceneInput    input    = scene_from_text("", "driving", {"Wheelset/Traction coefficient = 0.25"});
-    const SceneGeometry geometry = require_touching(input);
-    Summary             summary;
-    Contributions       causes;
-    summary.finished     = true;
-    summary.energy_error = 4e-4;
-    for (const auto &[key, value] : {std::pair<const char *, double>{"normal_force_N", 1e5},
-                                     {"vertical_force_N", 1e5},
-                                     {"wheel_load_N", 1e5},
-                                     {"vertical_force_std_N", 30.},
-                                     {"longitudinal_force_std_N", 30.},
-                                     {"max_pressure_fitted_Pa", 1.2e9},
-                                     {"max_pressure_fitted_std_Pa", 1e6},
-                                     {"patch_lateral_m", 20e-3},
-                                     {"patch_longitudinal_m", 13e-3},
-                                     {"cells_across_peak", 6.5},
-                                     {"patch_centre_lateral_m", -7.3e-3},
-                                     {"largest_swing", 2e-3},
-                                     {"means_from_m", 40e-3},
-                                     {"settled_after_m", 5e-3}})
-      set_figure(summary, key, value);
-    summary.max_pressure = 1.2e9;
-    judge(input.scene, geometry, summary, causes);
-    check_near(
-      get_figure(summary, "max_pressure_low_Pa"), 1.2e9, 20e6, "whose interval begins at the peak, about");
-    const auto cells = std::find_if(causes.begin(), causes.end(), [](const Contribution &one) {
-      return one.result == "max_pressure" && one.cause == "cells and penalty layer";
-    });
-    check(cells != causes.end(), "the true bodies say what the cells make of the peak");
-    check(std::count_if(causes.begin(),
-                        causes.end(),
-                        [&](const Contribution &one) {
-                          return one.result == "max_pressure" && one.cause == "cells and penalty layer";
-                        }) == 1,
-          "once");
-    const double bodies  = cells == causes.end() ? 1 : 1.2e9 + cells->shift;
-    summary.max_pressure = bodies;
-    check(judge(input.scene, geometry, summary, causes).empty() && summary.doubts.empty(),
-          "the peak of true bodies is trusted [" + summary.doubts + "]");
-    check_text(summary.verdict, "trusted", "its word");
-    set_figure(summary, "plastic_band_depth_m", 5.9e-3); // five cells of 1 mm are fine, and one more
-    check(judge(input.scene, geometry, summary, causes).empty(),
-          "steel that flows in fine cells is no matter");
-    set_figure(summary, "plastic_band_depth_m", 8.6e-3);
-    const auto deep = judge(input.scene, geometry, summary, causes);
-    holds(deep.empty() ? "" : deep[0],
-          "steel has flowed down to 8.6 mm, below the fine cells, which are 5.0 mm deep: the depth of the "
-          "plastic zone and the "
-          "stresses left there are those of coarser cells; raise Mesh/Fine depth to 10 mm",
-          "flow below the fine cells");
-    check(summary.doubts.empty(), "is said, and leaves the figures of the patch trusted");
-    set_figure(summary, "plastic_band_depth_m", std::nan(""));
-    summary.max_pressure = 0.7 * bodies;
-    check(judge(input.scene, geometry, summary, causes).empty(), "a peak 30 % lower is told once");
-    holds(summary.doubts, "The peak pressure is 30 % below", "and written into the summary");
-    check_text(summary.verdict, "not trusted", "its word");
-    summary.max_pressure = bodies;
-    set_figure(summary, "settled_after_m", std::nan("")); // null in the file: never
-    judge(input.scene, geometry, summary, causes);
-    check_text(summary.verdict, "with care", "figures that never settle");
-  }
-
   /// Elastic bodies beyond the shakedown of their steel: of the weaker, of the given yield stress, of the
   /// hardest that has a name.
   void
@@ -516,13 +332,10 @@ main()
 {
   test_steels();
   test_rules();
-  test_intervals();
-  test_two_meshes();
   test_without_reference();
   test_wear();
   test_way();
   test_words();
   test_agreement();
-  test_run();
   return report();
 }

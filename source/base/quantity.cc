@@ -2,6 +2,9 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/shown_text.h>
 
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -156,13 +159,6 @@ namespace wheelrail
       return nullptr;
     }
 
-    void
-    replace_all(std::string &text, const std::string &what, const std::string &by)
-    {
-      for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-        text.replace(at, what.size(), by);
-    }
-
     /// The spelling of the table: "N * s / m" and "kg/m^3" become "N s/m" and "kg/m3". The
     /// multi-byte characters are the middle dot, the superscripts 2 and 3 and both letters mu.
     std::string
@@ -176,14 +172,13 @@ namespace wheelrail
                                                                      {"\xC2\xB5", "u"},
                                                                      {"\xCE\xBC", "u"}}};
       for (const auto &pair : spellings)
-        replace_all(text, pair[0], pair[1]);
-      replace_all(text, "\t", " ");
+        boost::replace_all(text, pair[0], pair[1]);
+      boost::replace_all(text, "\t", " ");
       while (text.find("  ") != std::string::npos)
-        replace_all(text, "  ", " ");
-      replace_all(text, " /", "/");
-      replace_all(text, "/ ", "/");
-      const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
-      return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+        boost::replace_all(text, "  ", " ");
+      boost::replace_all(text, " /", "/");
+      boost::replace_all(text, "/ ", "/");
+      return boost::trim_copy(text);
     }
 
     /// " with its unit is needed, such as 140 km/h", or the like for pure numbers.

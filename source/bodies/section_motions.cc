@@ -1,3 +1,5 @@
+#include <deal.II/lac/lapack_templates.h>
+
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/section_motions.h>
 
@@ -8,33 +10,6 @@
 #include <cmath>
 #include <string>
 #include <vector>
-
-extern "C"
-{
-  void
-  dsygv_(const int *,
-         const char *,
-         const char *,
-         const int *,
-         double *,
-         const int *,
-         double *,
-         const int *,
-         double *,
-         double *,
-         const int *,
-         int *);
-  void
-  dsyev_(const char *,
-         const char *,
-         const int *,
-         double *,
-         const int *,
-         double *,
-         double *,
-         const int *,
-         int *);
-}
 
 // (K(k) - omega^2 M) u = 0 of a section at one wavenumber: slowest motions by subspace iteration with a
 // shift, as rigid motions have no stiffness at k = 0.
@@ -159,7 +134,8 @@ namespace wheelrail
           }
         const int kind = 1, length = 40 * m;
         int       code = 0;
-        dsygv_(&kind, "V", "U", &m, a.data(), &m, b.data(), &m, values.data(), work.data(), &length, &code);
+        dealii::sygv(
+          &kind, "V", "U", &m, a.data(), &m, b.data(), &m, values.data(), work.data(), &length, &code);
         if (code != 0)
           throw RunError("The waves of the section could not be found at the wavenumber " +
                          std::to_string(k) + ": its slowest motions cannot be told apart.");
@@ -201,7 +177,7 @@ namespace wheelrail
         // common, or round-off.
         gram[i + std::size_t(n) * j] = dot_product(columns[i], with_mass[j]) / (size[i] * size[j]);
     int length = 40 * n, code = 0;
-    dsyev_("V", "U", &n, gram.data(), &n, values.data(), work.data(), &length, &code);
+    dealii::syev("V", "U", &n, gram.data(), &n, values.data(), work.data(), &length, &code);
     SectionColumns basis;
     for (int j = n; j-- > 0 && values[j] > least * n;)
       {

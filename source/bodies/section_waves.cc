@@ -1,3 +1,5 @@
+#include <deal.II/lac/lapack_templates.h>
+
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/section_motions.h>
 #include <wheelrail/bodies/section_waves.h>
@@ -7,27 +9,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-
-extern "C"
-{
-  void
-  dgesv_(const int *, const int *, double *, const int *, int *, double *, const int *, int *);
-  void
-  zgeev_(const char *,
-         const char *,
-         const int *,
-         std::complex<double> *,
-         const int *,
-         std::complex<double> *,
-         std::complex<double> *,
-         const int *,
-         std::complex<double> *,
-         const int *,
-         std::complex<double> *,
-         const int *,
-         double *,
-         int *);
-}
 
 // Waves of a rail at one frequency: all k with (K0 + k K1 + k^2 K2 - omega^2 M) u = 0, on a basis of some
 // dozens of motions (Galerkin). 1. basis: slow motions at real wavenumbers, and static responses to the
@@ -63,20 +44,20 @@ namespace wheelrail
       int                  code = 0;
       std::vector<Complex> work(length);
       std::vector<double>  real_work(2 * n);
-      zgeev_("N",
-             "V",
-             &n,
-             matrix.data(),
-             &n,
-             values.data(),
-             nullptr,
-             &one,
-             vectors.data(),
-             &n,
-             work.data(),
-             &length,
-             real_work.data(),
-             &code);
+      dealii::geev("N",
+                   "V",
+                   &n,
+                   matrix.data(),
+                   &n,
+                   values.data(),
+                   nullptr,
+                   &one,
+                   vectors.data(),
+                   &n,
+                   work.data(),
+                   &length,
+                   real_work.data(),
+                   &code);
       return code == 0;
     }
   } // namespace
@@ -153,7 +134,8 @@ namespace wheelrail
     const int        n = n_;
     std::vector<int> pivot(n_);
     int              code = 0;
-    dgesv_(&n, &n, with_square.data(), &n, pivot.data(), b_.data(), &n, &code);
+    dealii::getrf(&n, &n, with_square.data(), &n, pivot.data(), &code);
+    dealii::getrs("N", &n, &n, with_square.data(), &n, pivot.data(), b_.data(), &n, &code);
     for (const SectionForce &force : forces_)
       {
         // f' X: displacement along a force

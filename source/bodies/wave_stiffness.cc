@@ -1,3 +1,5 @@
+#include <deal.II/lac/lapack_templates.h>
+
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/wave_element.h>
 #include <wheelrail/bodies/wave_matrices.h>
@@ -12,33 +14,6 @@
 #include <map>
 #include <string>
 #include <utility>
-
-extern "C"
-{
-  void
-  dtrsm_(const char *,
-         const char *,
-         const char *,
-         const char *,
-         const int *,
-         const int *,
-         const double *,
-         const double *,
-         const int *,
-         double *,
-         const int *);
-  void
-  dsyrk_(const char *,
-         const char *,
-         const int *,
-         const int *,
-         const double *,
-         const double *,
-         const int *,
-         const double *,
-         double *,
-         const int *);
-}
 
 // C(k) = F' K(k)^-1 F, compliance between rows of the running surface at one wavenumber
 // (doc/theory/bodies.md, 2.5-D elements). K(k) is real, symmetric and, with foot or bore held, positive:
@@ -263,8 +238,9 @@ namespace wheelrail
     const double        one = 1, zero = 0;
     std::vector<double> compliance(std::size_t(nr) * nr);
     // 3. L^-1 F and its square, by BLAS; only the upper half is computed
-    dtrsm_("L", "L", "N", "N", &ns, &nr, &one, dense.data(), &ns, loads.data(), &ns);
-    dsyrk_("U", "T", &nr, &ns, &one, loads.data(), &ns, &zero, compliance.data(), &nr);
+    int code = 0;
+    dealii::trtrs("L", "N", "N", &ns, &nr, dense.data(), &ns, loads.data(), &ns, &code);
+    dealii::syrk("U", "T", &nr, &ns, &one, loads.data(), &ns, &zero, compliance.data(), &nr);
     for (int i = 0; i < nr; ++i)
       for (int j = 0; j < i; ++j)
         compliance[i + std::size_t(nr) * j] = compliance[j + std::size_t(nr) * i];

@@ -1,5 +1,6 @@
 #include <wheelrail/halfspace/contact_heat.h>
 #include <wheelrail/halfspace/problem.h>
+#include <wheelrail/halfspace/tangential.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,23 @@ namespace wheelrail
           }
       }
     return found;
+  }
+
+
+  std::array<std::vector<double>, 2>
+  temperatures_in_rolling(const HalfspaceProblem    &problem,
+                          const std::vector<double> &pressure,
+                          const TangentialState     &tangential)
+  {
+    std::vector<double> heat(std::size_t(problem.grid.size()), 0.); // what the tractions do a second [W/m2]
+    for (std::size_t e = 0; e < heat.size() && !tangential.slip[0].empty(); ++e)
+      {
+        const double yields = tangential.plastic.empty() ? 0 : tangential.plastic[e];
+        heat[e]             = std::hypot(tangential.traction[0][e], tangential.traction[1][e]) *
+                  std::hypot(tangential.slip[0][e], tangential.slip[1][e]) * problem.velocity *
+                  (1 - yields + yields * problem.heat->plastic_share);
+      }
+    return surface_temperatures(*problem.heat, problem.grid, problem.velocity, pressure, heat);
   }
 
 

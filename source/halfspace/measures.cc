@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 // Sums over elements, exact for constant tractions: F = sum t dA, Mz = sum (x t_y - y t_x) dA, T-gamma = -(Fx
 // xi + Fy eta + Mz phi) besides rigid slip by rows [N] = [J/m].
@@ -80,5 +81,25 @@ namespace wheelrail
       }
     s.creepage_work = creepage_work(problem, s);
     s.friction_work = friction_work(problem, s);
+  }
+
+
+  std::string
+  not_reached(const HalfspaceProblem &problem, const HalfspaceSolution &s)
+  {
+    std::ostringstream text;
+    if (!s.normal_converged)
+      text << "The normal problem reached " << s.normal_residual << " of its tolerance "
+           << problem.normal_tolerance << " in " << s.normal_iterations << " iterations. ";
+    if (!s.tangential_converged && s.within_friction)
+      text << "The tangential problem reached " << s.tangential_residual << " of its tolerance "
+           << problem.tangential_tolerance << " in " << s.newton_steps << " steps. ";
+    if (!s.within_friction)
+      text << "Friction does not carry the tangential force of " << std::hypot(problem.fx, problem.fy)
+           << " N that is asked for. ";
+    else if (!s.coupling_converged)
+      text << "Pressure, tractions and friction coefficients did not settle to each other in "
+           << s.coupling_rounds << " rounds. ";
+    return text.str();
   }
 } // namespace wheelrail

@@ -2,8 +2,9 @@
 #include <wheelrail/halfspace/friction_field.h>
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/measures.h>
-#include <wheelrail/halfspace/normal.h>
+#include <wheelrail/halfspace/normal_problem.h>
 #include <wheelrail/halfspace/plastic_layer.h>
+#include <wheelrail/halfspace/run_in.h>
 #include <wheelrail/halfspace/simplified.h>
 #include <wheelrail/halfspace/tangential.h>
 
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -87,27 +87,17 @@ namespace wheelrail
           result[e] += factor * u[e];
       }
 
-      void
-      normal_problem();
       /// False when the friction of this round does not carry the force asked for.
       bool
       tangential_problem();
-      /// Elements that ran in within a step of several.
-      std::vector<RunIn>
-      run_in() const;
       VectorField
       rigid_slip(const std::vector<RunIn> &run_in);
       /// Sets the coefficients to the slip of the last round; the largest change over the larger coefficient
       /// of the law.
       double
       update_friction();
-      /// Temperatures of the surfaces under the tractions and slip of the last round.
-      std::array<std::vector<double>, 2>
-      temperatures() const;
       void
       displacements();
-      void
-      tell();
 
       const HalfspaceProblem &problem_;
       HalfspaceGrid           grid_;
@@ -123,87 +113,6 @@ namespace wheelrail
       double                  weight_ = 0.5, last_change_ = 0; ///< of the steps of the coefficients
       HalfspaceSolution       solution_;
     };
-
-    void
-    Solver::normal_problem()
-    {
-      std::vector<double> distance = problem_.undeformed_distance;
-      if (problem_.added && !tangential_.traction[0].empty())
-        problem_.added->add_displacement({{&tangential_.traction[0], &tangential_.traction[1], nullptr}},
-                                         {{nullptr, nullptr, &distance}});
-      if (coupled_ && !tangential_.traction[0].empty())
-        {
-          Spectrum            x, y;
-          std::vector<double> u;
-          products_.forward(tangential_.traction[0], x);
-          products_.forward(tangential_.traction[1], y);
-          const Spectrum &under_x = kernels_.of(2, 0, 0), &under_y = kernels_.of(2, 1, 0);
-          for (std::size_t m = 0; m < x.size(); ++m)
-            // u_n = A_nx t_x + A_ny t_y (Kalker 1990), K/G of unlike materials
-            x[m] = times(x[m], under_x[m]) + times(y[m], under_y[m]);
-          products_.backward(x, u);
-          for (std::size_t e = 0; e < u.size(); ++e)
-            distance[e] += u[e];
-        }
-      // Conformal contact: where the normal makes the angle a to the approach, e = h - approach cos a + u_n.
-      // With e/cos a for the gap and p cos a for the pressure the approach has the factor 1, the load is
-      // their sum, and A(1/cos .)/cos stays symmetric, as conjugate gradients need.
-      const std::vector<double> &cosine = problem_.normal_cosine;
-      // gaps along the approach, so that conjugate gradients meet one lowering for all elements: pressures
-      // times their cosine stand for pressures
-      const auto scale = [&](std::vector<double> &field, const bool up) {
-        for (std::size_t e = 0; e < std::min(cosine.size(), field.size()); ++e)
-          field[e] *= up ? cosine[e] : 1 / cosine[e];
-      };
-      const Spectrum     &kernel  = kernels_.of(2, 2, 0);
-      const NormalProduct product = [&](const std::vector<double> &v, std::vector<double> &result) {
-        Spectrum            s;
-        std::vector<double> p = v;
-        scale(p, false);
-        products_.forward(p, s);
-        for (std::size_t m = 0; m < s.size(); ++m)
-          s[m] = times(s[m], kernel[m]);
-        products_.backward(s, result);
-        for (std::size_t e = 0; problem_.normal_compliance > 0 && e < p.size(); ++e)
-          result[e] += problem_.normal_compliance * p[e];
-        if (problem_.added)
-          problem_.added->add_displacement({{nullptr, nullptr, &p}}, {{nullptr, nullptr, &result}});
-        scale(result, false);
-      };
-      scale(distance, false);
-      scale(normal_.pressure, true);
-      normal_.approach = problem_.approach;
-      solve_normal(product,
-                   grid_,
-                   distance,
-                   problem_.force_given,
-                   problem_.normal_force,
-                   problem_.normal_tolerance,
-                   problem_.max_normal_iterations,
-                   normal_);
-      scale(normal_.pressure, false);
-      scale(normal_.displacement, true);
-      solution_.normal_iterations += normal_.iterations;
-    }
-
-    std::vector<RunIn>
-    Solver::run_in() const
-    {
-      std::vector<RunIn> found;
-      if (problem_.motion == HalfspaceMotion::shift || problem_.simplified ||
-          solution_.step < 1.001 * grid_.dx)
-        return found;
-      for (int j = 0; j < grid_.my; ++j)
-        for (int i = grid_.mx - 1, edge = -1; i >= 0; --i)
-          {
-            const int e = i + grid_.mx * j;
-            if (!(normal_.pressure[e] > 0))
-              edge = e;
-            else if (edge >= 0 && i + 2 < grid_.mx && (edge - e) * grid_.dx < 0.9999 * solution_.step)
-              found.push_back({e, edge, (edge - e) * grid_.dx / solution_.step});
-          }
-      return found;
-    }
 
     VectorField
     Solver::rigid_slip(const std::vector<RunIn> &run_in)
@@ -273,7 +182,7 @@ namespace wheelrail
         task.kernels = &kernels_.slip(solution_.step, problem_.motion == HalfspaceMotion::steady);
       task.added        = problem_.added.get();
       task.grid         = grid_;
-      task.run_in       = run_in();
+      task.run_in       = elements_run_in(problem_, solution_.step, normal_.pressure);
       task.rigid_slip   = rigid_slip(task.run_in);
       const bool steady = problem_.motion == HalfspaceMotion::steady;
       if (steady && !task.run_in.empty() && displacement_.xx.empty())
@@ -327,12 +236,13 @@ namespace wheelrail
         return change;
       // Half a step from the fourth round on: falling friction makes whole steps swing.
       const double              weight = solution_.coupling_rounds < 4 ? 1 : weight_;
-      const std::vector<double> wanted =
-        friction_field(problem_,
-                       solution_.step,
-                       tangential_.slip,
-                       normal_.pressure,
-                       problem_.hot_friction.empty() ? std::vector<double>() : temperatures()[0]);
+      const std::vector<double> wanted = friction_field(
+        problem_,
+        solution_.step,
+        tangential_.slip,
+        normal_.pressure,
+        problem_.hot_friction.empty() ? std::vector<double>()
+                                      : temperatures_in_rolling(problem_, normal_.pressure, tangential_)[0]);
       for (std::size_t e = 0; e < mu_.size(); ++e)
         {
           const double step = wanted[e] - mu_[e];
@@ -359,7 +269,10 @@ namespace wheelrail
           const std::vector<double> old = normal_.pressure;
           // 1. pressure under the tractions of the last round
           if (!pressure_given_ && (solution_.coupling_rounds == 1 || coupled_))
-            normal_problem();
+            {
+              solve_normal_problem(problem_, kernels_, coupled_, tangential_.traction, normal_);
+              solution_.normal_iterations += normal_.iterations;
+            }
           double change = 0, peak = 0;
           for (std::size_t e = 0; e < old.size(); ++e)
             {
@@ -381,28 +294,18 @@ namespace wheelrail
         }
       displacements();
       if (problem_.heat && problem_.motion == HalfspaceMotion::steady)
-        solution_.temperature = temperatures();
+        solution_.temperature = temperatures_in_rolling(problem_, normal_.pressure, tangential_);
       set_layer_state(problem_, tangential_, solution_);
       solution_.xi  = tangential_.creepage[0];
       solution_.eta = tangential_.creepage[1];
       solution_.phi = problem_.phi;
       measure(problem_, friction_ ? tangential_.slipping : std::vector<char>(), solution_);
-      tell();
+      solution_.normal_converged     = normal_.converged;
+      solution_.normal_residual      = normal_.residual;
+      solution_.tangential_converged = !friction_ || tangential_.converged;
+      solution_.tangential_residual  = tangential_.residual;
+      solution_.not_reached          = not_reached(problem_, solution_);
       return solution_;
-    }
-
-    std::array<std::vector<double>, 2>
-    Solver::temperatures() const
-    {
-      std::vector<double> heat(std::size_t(grid_.size()), 0.); // what the tractions do a second [W/m2]
-      for (std::size_t e = 0; e < heat.size() && !tangential_.slip[0].empty(); ++e)
-        {
-          const double yields = tangential_.plastic.empty() ? 0 : tangential_.plastic[e];
-          heat[e]             = std::hypot(tangential_.traction[0][e], tangential_.traction[1][e]) *
-                    std::hypot(tangential_.slip[0][e], tangential_.slip[1][e]) * problem_.velocity *
-                    (1 - yields + yields * problem_.heat->plastic_share);
-        }
-      return surface_temperatures(*problem_.heat, grid_, problem_.velocity, normal_.pressure, heat);
     }
 
     void
@@ -449,29 +352,6 @@ namespace wheelrail
                    s.approach * (problem_.normal_cosine.empty() ? 1 : problem_.normal_cosine[e]);
     }
 
-    void
-    Solver::tell()
-    {
-      HalfspaceSolution &s   = solution_;
-      s.normal_converged     = normal_.converged;
-      s.normal_residual      = normal_.residual;
-      s.tangential_converged = !friction_ || tangential_.converged;
-      s.tangential_residual  = tangential_.residual;
-      std::ostringstream text;
-      if (!s.normal_converged)
-        text << "The normal problem reached " << s.normal_residual << " of its tolerance "
-             << problem_.normal_tolerance << " in " << s.normal_iterations << " iterations. ";
-      if (!s.tangential_converged && s.within_friction)
-        text << "The tangential problem reached " << s.tangential_residual << " of its tolerance "
-             << problem_.tangential_tolerance << " in " << s.newton_steps << " steps. ";
-      if (!s.within_friction)
-        text << "Friction does not carry the tangential force of " << std::hypot(problem_.fx, problem_.fy)
-             << " N that is asked for. ";
-      else if (!s.coupling_converged)
-        text << "Pressure, tractions and friction coefficients did not settle to each other in "
-             << s.coupling_rounds << " rounds. ";
-      s.not_reached = text.str();
-    }
   } // namespace
 
   HalfspaceSolution

@@ -36,10 +36,10 @@ namespace wheelrail
          {"roughness", K::roughness},
          {"file", K::file}},
         field_of(k, &I::kind),
-        "Shape that the running surface has besides its profile. dent: smooth hollow; squat: two lobes; "
-        "corrugation: waves below the surface; weld: hollow or bump all across; dipped joint: rail ends that "
-        "hang down, with a kink; flat: fresh wheel flat with edges; rounded flat: one that is rolled round; "
-        "polygon: wheel out of round; roughness: waves of a spectrum; file: measured heights or slices.");
+        "Shape that the running surface has besides its profile. squat: two lobes; weld: hollow or bump all "
+        "across; dipped joint: rail ends that hang down, with a kink; flat: fresh wheel flat with edges; "
+        "rounded flat: one that is rolled round; roughness: waves of a spectrum; file: measured heights or "
+        "slices.");
       list.choice<IrregularBody>(
         "Body",
         {{"auto", IrregularBody::automatic}, {"rail", IrregularBody::rail}, {"wheel", IrregularBody::wheel}},

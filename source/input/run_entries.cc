@@ -22,7 +22,7 @@ namespace wheelrail
                   {{"until steady", 0}});
       list.number({"Longest distance", "mm", "> 0 mm", "10 m"},
                   field(&S::longest_distance),
-                  "How far a run until steady rolls at most; mesh and outputs are laid for it.");
+                  "How far a run until steady rolls at most; mesh and outputs are made for it.");
       list.number({"Standard error", "", "0.0001", "0.1"},
                   field(&S::standard_error),
                   "Standard error that every result may have for a run until steady to end, over a scale of "
@@ -85,9 +85,9 @@ namespace wheelrail
       list.count(
         {"Staggered starts", 1, 100},
         field(&S::staggered_starts),
-        "Places on the rail, each at least a patch farther along than the one before, at which passages "
-        "start: the first wheel at the first, where it leaves a pit, those after it at the others in turn; "
-        "auto: two where the path has room for them, else one, and one over irregularities.",
+        "Places on the rail, each at least a patch farther along, at which passages start in turn; the first "
+        "wheel leaves a pit at the first. auto: two where the path has room for them, else one, and one over "
+        "irregularities.",
         {{"auto", 0u}});
     }
   } // namespace

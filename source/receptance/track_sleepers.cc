@@ -2,25 +2,13 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/lac/lapack_templates.h>
 
 #include <array>
 #include <cmath>
 #include <complex>
 #include <map>
 #include <vector>
-
-extern "C"
-{
-  void
-  zgesv_(const int *,
-         const int *,
-         std::complex<double> *,
-         const int *,
-         int *,
-         std::complex<double> *,
-         const int *,
-         int *);
-}
 
 namespace wheelrail
 {
@@ -117,7 +105,8 @@ namespace wheelrail
       const int        n = values.size(), one = 1;
       int              code = 0;
       std::vector<int> pivot(n);
-      zgesv_(&n, &one, matrix.data(), &n, pivot.data(), values.data(), &n, &code);
+      dealii::getrf(&n, &n, matrix.data(), &n, pivot.data(), &code);
+      dealii::getrs("N", &n, &one, matrix.data(), &n, pivot.data(), values.data(), &n, &code);
     }
 
     /// What a seat moves under the forces of another, by how many bays it is ahead of it. `pads`: even and

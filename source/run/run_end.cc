@@ -197,7 +197,6 @@ namespace wheelrail
         std::ceil(1e3 * (band + scene.cell_size)));
     }
 
-
     /// The means are those of a place of the path.
     NoiseEffect
     compare_peak_on_path(const Scene         &scene,
@@ -209,11 +208,7 @@ namespace wheelrail
       return compare_peak(
         there, make_geometry(there, {geometry.rail, geometry.wheel, {}, geometry.files}), summary, measures);
     }
-  } // namespace
 
-
-  namespace
-  {
     /// Those in the patch of a wheel that has rolled to a place [m] and `around` it, half before and half
     /// behind.
     SurfaceKinks

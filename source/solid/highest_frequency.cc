@@ -1,7 +1,7 @@
 #include <deal.II/lac/tridiagonal_matrix.h>
 
-#include <wheelrail/solid/elastic_scope.h>
 #include <wheelrail/solid/highest_frequency.h>
+#include <wheelrail/solid/law_scope.h>
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/cell_place.h>
 #include <wheelrail/mesh/fetch_rows.h>
-#include <wheelrail/solid/elastic_scope.h>
+#include <wheelrail/solid/law_scope.h>
 #include <wheelrail/solid/momentum.h>
 #include <wheelrail/solid/transfer.h>
 
@@ -384,32 +384,4 @@ namespace wheelrail
       fill_viscous(after, time_step);
   }
 
-
-  double
-  body_energy(Solid                          &solid,
-              const std::vector<NodeInertia> &inertia,
-              const double                    time_step,
-              MPI_Comm                        communicator)
-  {
-    distribute(solid.mesh, solid.velocity.data());
-    AlignedVector<double> force(4 * solid.mesh.n_nodes(), 0.);
-    ElementEnergy         energy;
-    subtract_internal_force(
-      solid.blocks, solid.displacement.data(), force.data(), BulkViscosity{}, true, energy);
-    condense(solid.mesh, force.data());
-    std::array<double, 1> sum{energy.strain + energy.stabilisation + energy.plastic_work};
-    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
-      if (inertia[n].inverse_mass > 0)
-        {
-          const Vector3 v = three(solid.velocity, n);
-          // v(n-1/2) m v(n+1/2)/2 = m v^2/2 + dt f . v/2 with v = v(n-1/2), f the elements' forces and the
-          // weight
-          sum[0] += 0.5 * time_step * (dot(three(force, n), v) - inertia[n].weight * v[1]);
-          sum[0] += inertia[n].weight * solid.displacement[4 * n + 1];
-          if (solid.mesh.owns(n))
-            sum[0] += 0.5 / inertia[n].inverse_mass * dot(v, v);
-        }
-    ordered_sum(sum, communicator);
-    return sum[0];
-  }
 } // namespace wheelrail

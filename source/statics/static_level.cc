@@ -1,7 +1,7 @@
 #include <deal.II/lac/linear_operator.h>
 #include <deal.II/lac/solver_cg.h>
 
-#include <wheelrail/solid/elastic_scope.h>
+#include <wheelrail/solid/law_scope.h>
 #include <wheelrail/statics/static_level.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/solid/frozen_meanwhile.h>
+#include <wheelrail/solid/law_scope.h>
 #include <wheelrail/statics/static_flow.h>
 #include <wheelrail/statics/static_progress.h>
 
@@ -160,7 +160,7 @@ namespace wheelrail
     StaticBalance balance;
     result.wheel_load = search.wheel_load();
     {
-      const FrozenMeanwhile rail(solid.blocks.rail), wheel(solid.blocks.wheel);
+      const FrozenScope rail(solid.blocks.rail), wheel(solid.blocks.wheel);
       balance = elastic_equilibrium(search, without_friction, 2e-6, result);
     }
     // flow raises the creepage, though the tractions of its lower pressures would need less

@@ -6,7 +6,9 @@
 namespace wheelrail
 {
   struct HalfspaceGrid;
+  struct HalfspaceProblem;
   struct HalfspaceSolution;
+  struct TangentialState;
 
   /// How the bodies of a rolling contact take up heat, which flows into their depth alone (Ertz and Knothe
   /// 2002).
@@ -39,6 +41,12 @@ namespace wheelrail
                        double                     velocity,
                        const std::vector<double> &pressure,
                        const std::vector<double> &heat);
+
+  /// The same under the tractions and the slip of a tangential solution.
+  std::array<std::vector<double>, 2>
+  temperatures_in_rolling(const HalfspaceProblem    &problem,
+                          const std::vector<double> &pressure,
+                          const TangentialState     &tangential);
 
   /// The largest in the contact [deg C]; NaN without temperatures.
   double

@@ -116,4 +116,26 @@ namespace wheelrail
     std::vector<Yielding>            yielding_;
     std::vector<std::vector<double>> response_; ///< of the preconditioner to unit creepages
   };
+
+
+  template <typename Kernel>
+  void
+  FrictionSystem::apply(const Kernel &xx,
+                        const Kernel &xy,
+                        const Kernel &yy,
+                        VectorField  &in,
+                        VectorField  &out)
+  {
+    products_.forward(in[0], sx_);
+    products_.forward(in[1], sy_);
+    for (std::size_t m = 0; m < sx_.size(); ++m)
+      {
+        const auto a = sx_[m], b = sy_[m];
+        // symmetric: A_xy = A_yx (Cerruti 1882)
+        sx_[m] = times(xx[m], a) + times(xy[m], b);
+        sy_[m] = times(xy[m], a) + times(yy[m], b);
+      }
+    products_.backward(sx_, out[0]);
+    products_.backward(sy_, out[1]);
+  }
 } // namespace wheelrail

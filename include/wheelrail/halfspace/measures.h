@@ -2,6 +2,7 @@
 
 #include <wheelrail/halfspace/problem.h>
 
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -11,4 +12,8 @@ namespace wheelrail
   /// `slipping`: of each element that touches, whether it slips; empty without friction.
   void
   measure(const HalfspaceProblem &problem, const std::vector<char> &slipping, HalfspaceSolution &solution);
+
+  /// What a solution did not reach, in sentences; empty where it has converged.
+  std::string
+  not_reached(const HalfspaceProblem &problem, const HalfspaceSolution &solution);
 } // namespace wheelrail
