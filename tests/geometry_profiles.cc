@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "reference_table.h"
+#include "section_properties.h"
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/geometry/profiles.h>
@@ -81,7 +82,7 @@ namespace
   void
   test_sections()
   {
-    const SectionProperties a = section_properties(rail_profile("54E1").outline);
+    const test::SectionProperties a = test::section_properties(rail_profile("54E1").outline);
     check_near(a.area * 1e6, 6977.4416, 1e-4, "54E1 area [mm2]");
     check_near(a.area * 1e6, 6977, 6.977, "54E1 area against the catalogue [mm2]");
     check_near((a.centroid.y + 0.159) * 1e3, 75.1279, 1e-4, "54E1 centroid above the base [mm]");
@@ -90,7 +91,7 @@ namespace
     check_near(a.Ix * 1e8, 2337.8691, 1e-4, "54E1 Ix [cm4]");
     check_near(a.Iy * 1e8, 419.0617, 1e-4, "54E1 Iy [cm4]");
 
-    const SectionProperties b = section_properties(rail_profile("60E1").outline);
+    const test::SectionProperties b = test::section_properties(rail_profile("60E1").outline);
     check_near(b.area * 1e6, 7670.0002, 1e-4, "60E1 area [mm2]");
     check_near((b.centroid.y + 0.172) * 1e3, 80.9235, 1e-4, "60E1 centroid above the base [mm]");
     check_near(b.Ix * 1e8, 3038.3127, 1e-4, "60E1 Ix [cm4]");
@@ -105,9 +106,9 @@ namespace
     circle.angle_end = pi;
     Segment back     = circle;
     std::swap(back.start, back.end);
-    back.angle_start          = pi;
-    back.angle_end            = 2 * pi;
-    const SectionProperties c = section_properties(Curve({circle, back}));
+    back.angle_start                = pi;
+    back.angle_end                  = 2 * pi;
+    const test::SectionProperties c = test::section_properties(Curve({circle, back}));
     check_near(c.area, 4 * pi, 1e-13, "circle: area");
     check_near(c.Ix, 4 * pi, 1e-13, "circle: second moment");
     check_near(c.centroid.y, 3, 1e-14, "circle: centroid");

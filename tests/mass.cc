@@ -4,6 +4,7 @@
 #include <wheelrail/model/model.h>
 
 #include "parallel.h"
+#include "section_properties.h"
 #include "small_scene.h"
 
 #include <array>
@@ -129,7 +130,7 @@ namespace
   void
   mass_properties_converge(const Model &model)
   {
-    const SectionProperties outline = section_properties(rail_profile("54E1").outline);
+    const test::SectionProperties outline = test::section_properties(rail_profile("54E1").outline);
     check_near(section_integrals(model.discretization->plan().rail)[0] / outline.area,
                1,
                2e-3,

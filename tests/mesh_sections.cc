@@ -8,6 +8,8 @@
 #include <wheelrail/mesh/wheel_section.h>
 
 #include "check.h"
+#include "section_properties.h"
+#include "section_quality.h"
 
 #include <algorithm>
 #include <array>
@@ -211,8 +213,9 @@ namespace
         smallest               = std::min(smallest, q.min_edge);
         largest                = std::max(largest, q.max_edge);
       }
-    const SectionQuality fine = section_quality(section, 16), coarse = section_quality(section, 4),
-                         blocks = section_quality(section, 1);
+    const SectionQuality fine   = test::section_quality(section, 16),
+                         coarse = test::section_quality(section, 4),
+                         blocks = test::section_quality(section, 1);
     const double limit          = 0.3;
     const bool   good           = strip_quality > 0.7 && quality_without_outline_corners(section) > limit &&
                       (block < 0.015 || fine.min_scaled_jacobian > limit) &&
@@ -244,7 +247,7 @@ namespace
     add({last.x, low}, {first.x, low});
     add({first.x, low}, first);
     const double f = d.fillet_radius;
-    return section_properties(Curve(segments)).area +
+    return test::section_properties(Curve(segments)).area +
            d.disc_thickness * (d.rim_inner_radius - d.hub_outer_radius) +
            d.hub_length * (d.hub_outer_radius - d.bore_radius) + 4 * (1 - M_PI / 4) * f * f;
   }
@@ -321,9 +324,12 @@ namespace
                      1e-9,
                      name + ", wheel: running edges on the profile");
 
-    const double rail_area = section_properties(rail.outline).area, wheel_sum = wheel_area(wheel, dimensions);
-    test::check_near(section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area");
-    test::check_near(section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area");
+    const double rail_area = test::section_properties(rail.outline).area,
+                 wheel_sum = wheel_area(wheel, dimensions);
+    test::check_near(
+      test::section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area");
+    test::check_near(
+      test::section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area");
     const WheelSectionOutline outline = make_wheel_section_outline(wheel, dimensions);
     test::check_near(moment_about_axle(outline, dimensions) / meshed_moment(wheel_section),
                      1,

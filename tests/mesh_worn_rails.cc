@@ -12,6 +12,7 @@
 
 #include "check.h"
 #include "profile_samples.h"
+#include "section_quality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,9 +106,9 @@ namespace
       {
         const FineStrip strip   = make_fine_strip(contact, wheel_top, rail_top, 1e-4, 0.003, block);
         const Section   section = make_rail_section(rail, contact.rail, strip, block);
-        check(section_quality(section, 4).min_scaled_jacobian > 0.05,
+        check(test::section_quality(section, 4).min_scaled_jacobian > 0.05,
               name + ": smallest sine of a corner " +
-                std::to_string(section_quality(section, 4).min_scaled_jacobian));
+                std::to_string(test::section_quality(section, 4).min_scaled_jacobian));
       }
     catch (const std::exception &error)
       {

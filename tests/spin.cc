@@ -7,6 +7,7 @@
 #include <wheelrail/mesh/shared_nodes.h>
 
 #include "parallel.h"
+#include "scenes/make_solid.h"
 
 #include <algorithm>
 #include <array>
@@ -218,7 +219,7 @@ namespace
   void
   spin(const int rank, const int size)
   {
-    Solid        solid = make_solid(ring(rank, size), Elasticity(), Elasticity(), 0, MPI_COMM_WORLD);
+    Solid        solid = scenes::make_solid(ring(rank, size), Elasticity(), Elasticity(), 0, MPI_COMM_WORLD);
     const double step  = 0.9 * solid.stable.step;
     // one rank makes the whole turn
     const int   n_steps = static_cast<int>(2 * M_PI / rate / step / (size > 1 ? 10 : 1));

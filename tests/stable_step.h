@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "check.h"
+#include "scenes/make_solid.h"
 
 #include <cmath>
 #include <sstream>
@@ -30,9 +31,9 @@ namespace test
     discretization.lay({{discretization.plan().fine}, {discretization.plan().fine}});
     const Elasticity steel = elasticity(scene.rail_material);
     const double     zeta  = scene.bulk_viscosity;
-    const Solid      solid = make_solid(discretization.local_mesh(), steel, steel, zeta, MPI_COMM_WORLD);
-    const double     speed = std::sqrt((steel.lame_lambda() + 2 * steel.shear_modulus()) / steel.density);
-    const double     cubes = cell / speed * (std::sqrt(1 + zeta * zeta) - zeta);
+    const Solid  solid = scenes::make_solid(discretization.local_mesh(), steel, steel, zeta, MPI_COMM_WORLD);
+    const double speed = std::sqrt((steel.lame_lambda() + 2 * steel.shear_modulus()) / steel.density);
+    const double cubes = cell / speed * (std::sqrt(1 + zeta * zeta) - zeta);
 
     std::ostringstream text;
     text << "cells of " << cell * 1e3 << " mm, shift " << shift * 1e3 << " mm: step "

@@ -38,7 +38,7 @@ namespace wheelrail
   }
 
   void
-  Log::write(const std::string &text)
+  Log::line(const std::string &text)
   {
     if (!screen_)
       return;
@@ -49,22 +49,16 @@ namespace wheelrail
   }
 
   void
-  Log::line(const std::string &text)
-  {
-    write(text);
-  }
-
-  void
   Log::value(const std::string &name, const std::string &text)
   {
     constexpr std::size_t column = 24;
-    write("  " + name + std::string(name.size() < column ? column - name.size() : 1, ' ') + text);
+    line("  " + name + std::string(name.size() < column ? column - name.size() : 1, ' ') + text);
   }
 
   void
   Log::warning(const std::string &text)
   {
-    write("warning: " + text);
+    line("warning: " + text);
   }
 
   void
@@ -72,8 +66,8 @@ namespace wheelrail
   {
     if (!table_started_)
       {
-        write("   rolled    normal    longitudinal  lateral    energy      element       time");
-        write("     mm      force kN    force kN    force kN    error      updates/s     left");
+        line("   rolled    normal    longitudinal  lateral    energy      element       time");
+        line("     mm      force kN    force kN    force kN    error      updates/s     left");
         table_started_ = true;
       }
     char buffer[160];
@@ -87,7 +81,7 @@ namespace wheelrail
                   tick.energy_error,
                   1e-6 * tick.updates_per_second,
                   format_duration(tick.seconds_left).c_str());
-    write(buffer);
+    line(buffer);
   }
 
   void

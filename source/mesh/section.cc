@@ -68,20 +68,4 @@ namespace wheelrail
     return quality;
   }
 
-
-  SectionQuality
-  section_quality(const Section &section, const unsigned int subdivisions)
-  {
-    SectionQuality total;
-    total.min_edge = std::numeric_limits<double>::max();
-    for (unsigned int block = 0; block < section.blocks.size(); ++block)
-      {
-        const SectionQuality quality = block_quality(section, block, subdivisions);
-        total.area += quality.area;
-        total.min_scaled_jacobian = std::min(total.min_scaled_jacobian, quality.min_scaled_jacobian);
-        total.min_edge            = std::min(total.min_edge, quality.min_edge);
-        total.max_edge            = std::max(total.max_edge, quality.max_edge);
-      }
-    return total;
-  }
 } // namespace wheelrail

@@ -118,22 +118,6 @@ namespace wheelrail
 
 
   SectionContacts
-  contacts_at_height(const std::vector<SectionsSurface> &rails,
-                     const PosedWheel                   &wheel,
-                     const SectionRolling               &rolling,
-                     const double                        at,
-                     const double                        height)
-  {
-    Contacts contacts(rails, wheel, rolling, at);
-    contacts.lay(height);
-    contacts.press(height);
-    contacts.roll();
-    leave_out_empty(contacts.result);
-    return contacts.result;
-  }
-
-
-  SectionContacts
   contacts_under_load(const std::vector<SectionsSurface> &rails,
                       const PosedWheel                   &wheel,
                       const SectionRolling               &rolling,

@@ -223,21 +223,6 @@ namespace wheelrail
   }
 
 
-  Solid
-  make_solid(LocalMesh                         mesh,
-             const MaterialLaw                &rail,
-             const MaterialLaw                &wheel,
-             const double                      bulk_viscosity,
-             MPI_Comm                          communicator,
-             const std::array<ElementForm, 2> &forms)
-  {
-    Solid solid;
-    solid.choice = {{rail, wheel}, {forms[0], forms[1]}, bulk_viscosity};
-    prepare(solid, std::move(mesh), communicator);
-    return solid;
-  }
-
-
   MassProperties
   mass_properties(const Solid &solid, const Body body, const Vector3 &about, MPI_Comm communicator)
   {

@@ -214,6 +214,8 @@ namespace wheelrail
       return patches;
     }
 
+    /// How patches share the load is a matter of position and angles, as where one reaches round the corner:
+    /// all of them are judged by the turn from one to the other.
     Verdict
     judge_patches(const Scene &scene, const std::vector<KnownPatch> &patches)
     {
@@ -232,15 +234,6 @@ namespace wheelrail
   {
     return judge_with(
       scene, result, result.turn, contributions_of(scene, result, summary_of_patch(scene, result)));
-  }
-
-
-  // how patches share the load is a matter of pose, as where one reaches round the corner: all of them are
-  // judged by the turn from one to the other
-  Verdict
-  judge_contact(const Scene &scene, const WheelRailSolution &result)
-  {
-    return judge_patches(scene, all_patches(scene, result));
   }
 
 

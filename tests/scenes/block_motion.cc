@@ -1,4 +1,5 @@
 #include "block_motion.h"
+#include "make_solid.h"
 
 #include "rank_part.h"
 

@@ -1,4 +1,5 @@
 #include "dynamics.h"
+#include "make_solid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -49,9 +49,6 @@ namespace wheelrail
     status(const std::string &text);
 
   private:
-    void
-    write(const std::string &text);
-
     bool          screen_        = false;
     bool          terminal_      = false;
     bool          status_shown_  = false;

@@ -36,20 +36,6 @@ namespace wheelrail
     bool        crown = false; ///< without flange: half-spaces alone take it
   };
 
-  /// Section properties of a closed outline [SI].
-  struct SectionProperties
-  {
-    double area = 0; ///< [m2]
-    Point2 centroid; ///< [m]
-    double Ix = 0;   ///< second moment about the horizontal axis through the centroid [m4]
-    double Iy = 0;   ///< about the vertical axis through the centroid [m4]
-  };
-
-  /// Properties by Green's theorem over the exact segments (Gauss quadrature to round-off); the
-  /// outline may run in either sense. Throws InputError when the outline is not closed to 1e-6 m.
-  SectionProperties
-  section_properties(const Curve &closed_outline);
-
   /// Names that rail_profile() and wheel_profile() accept.
   std::vector<std::string>
   standard_rails();

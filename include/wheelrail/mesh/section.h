@@ -72,9 +72,7 @@ namespace wheelrail
     double max_edge            = 0; ///< [m]
   };
 
-  /// Quality of one block, all blocks together; `subdivisions` is 1 or more.
+  /// Quality of one block; `subdivisions` is 1 or more.
   SectionQuality
   block_quality(const Section &section, unsigned int block, unsigned int subdivisions);
-  SectionQuality
-  section_quality(const Section &section, unsigned int subdivisions);
 } // namespace wheelrail

@@ -20,14 +20,6 @@ namespace wheelrail
     force() const;
   };
 
-  /// With the wheel at a given height [m].
-  SectionContacts
-  contacts_at_height(const std::vector<SectionsSurface> &rails,
-                     const PosedWheel                   &wheel,
-                     const SectionRolling               &rolling,
-                     double                              at,
-                     double                              height);
-
   /// With the height at which all patches together carry a vertical load [N], what friction adds to it
   /// included. The rolling must outlive the result, and so must rails and wheel.
   SectionContacts

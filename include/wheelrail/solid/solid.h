@@ -99,16 +99,6 @@ namespace wheelrail
   void
   add_band_mass(Solid &solid, double density);
 
-  /// Bodies of the materials `rail` and `wheel` and of elements of the `forms`, prepared for a mesh.
-  /// Collective.
-  Solid
-  make_solid(LocalMesh                         mesh,
-             const MaterialLaw                &rail,
-             const MaterialLaw                &wheel,
-             double                            bulk_viscosity,
-             MPI_Comm                          communicator,
-             const std::array<ElementForm, 2> &forms = {});
-
   /// Collective.
   MassProperties
   mass_properties(const Solid &solid, Body body, const Vector3 &about, MPI_Comm communicator);

@@ -143,10 +143,6 @@ namespace wheelrail
   Verdict
   judge_patch(const Scene &scene, const WheelRailSolution &result);
 
-  /// That of a whole contact: each thing that is off in some patch, once.
-  Verdict
-  judge_contact(const Scene &scene, const WheelRailSolution &result);
-
   /// The figures of a solution under the names of a run's summary, in its signs. Of several patches forces,
   /// areas and work are sums, pressures and tractions the largest, and extents, places and creepages those of
   /// the patch with the largest force; the figures of each stand under "patch_1_...", in the order of
