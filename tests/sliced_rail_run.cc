@@ -2,7 +2,8 @@
 // label: long
 // Runs on rails by slices: one section all along is the plain rail; over the gap of a joint the load goes
 // from one rail to the other, and momentum changes by the impulse where that is lower or higher; on a
-// crossing the load goes from the wing to the nose where half-spaces on bodies that give as these do share it.
+// crossing the load goes from the wing to the nose where half-spaces on bodies that give as these do share
+// it.
 #include "between_rows.h"
 #include "parallel.h"
 #include "slices_files.h"

@@ -25,7 +25,7 @@ namespace wheelrail
     Contributions
     estimated(const Summary &run, const Measures &measures)
     {
-      constexpr double of_area = 1.5, of_strain = 2, of_stress = 2.5;
+      constexpr double of_area = 1.5, strain_shift = 1.5, of_strain = 2, of_stress = 2.5;
       Contributions    contributions;
       const auto       add = [&](const char *name, const double shift, const double spread) {
         const double value = get_figure(run, figure_named(name).key());
@@ -40,7 +40,7 @@ namespace wheelrail
       if (flows)
         {
           for (const char *name : {"max_plastic_strain", "rail_plastic_strain"})
-            add(name, of_strain / measures.cells, of_strain / measures.cells);
+            add(name, strain_shift / measures.cells, of_strain / measures.cells);
           add("max_residual_von_mises", 0, of_stress / measures.cells);
         }
       return contributions;

@@ -23,8 +23,8 @@ namespace wheelrail
     double  of_parts         = 0;     ///< share of the step that springs and dampers of parts have taken
   };
 
-  /// Of a highest squared frequency [1/s2], where the bulk viscosity has the damping ratio `viscosity` at that
-  /// frequency and is taken at the half step behind [s].
+  /// Of a highest squared frequency [1/s2], where the bulk viscosity has the damping ratio `viscosity` at
+  /// that frequency and is taken at the half step behind [s].
   double
   stable_step(double squared_frequency, double viscosity);
 
