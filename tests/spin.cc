@@ -37,7 +37,8 @@ namespace
   node_place(const std::uint32_t number)
   {
     const unsigned int x = number % (n_axial + 1), r = number / (n_axial + 1) % (n_radial + 1);
-    const double       angle  = 2 * M_PI / n_sectors * (number / ((n_axial + 1) * (n_radial + 1)));
+    const unsigned int sector = number / ((n_axial + 1) * (n_radial + 1));
+    const double       angle  = 2 * M_PI / n_sectors * sector;
     const double       radius = inner + (outer - inner) * r / n_radial;
     return {thickness * (double(x) / n_axial - 0.5), -radius * std::cos(angle), radius * std::sin(angle)};
   }
@@ -245,13 +246,14 @@ namespace
         if (n % 97 == 0)
           means.sample(solid);
       }
-    const State  last  = sums(solid);
-    const double mass  = mass_properties(solid, Body::wheel, {}, MPI_COMM_WORLD).mass;
-    const auto  &total = balance.total;
-    const auto   mean  = [&](std::size_t begin) {
-      return std::accumulate(&total[begin], &total[begin] + total.size() / 10, 0.) / (total.size() / 10);
+    const State       last  = sums(solid);
+    const double      mass  = mass_properties(solid, Body::wheel, {}, MPI_COMM_WORLD).mass;
+    const auto       &total = balance.total;
+    const std::size_t tenth = total.size() / 10;
+    const auto        mean  = [&](const std::size_t begin) {
+      return std::accumulate(&total[begin], &total[begin] + tenth, 0.) / double(tenth);
     };
-    const double drift = mean(total.size() - total.size() / 10) - mean(0);
+    const double drift = mean(total.size() - tenth) - mean(0);
     const auto   range = std::minmax_element(total.begin(), total.end());
     std::cout << "        " << n_steps << " steps, kinetic energy " << last.kinetic << " J, strain energy "
               << balance.strain << " J\n";

@@ -119,9 +119,10 @@ namespace scenes
   {
     BlockScene         scene;
     const unsigned int m = n + 1;
-    for (unsigned int k = 0; k < m * m * m; ++k)
-      scene.mesh.reference.insert(scene.mesh.reference.end(),
-                                  {h * (k % m), h * (k / m % m), h * (k / m / m), 0.});
+    for (unsigned int k = 0; k < m; ++k)
+      for (unsigned int j = 0; j < m; ++j)
+        for (unsigned int i = 0; i < m; ++i)
+          scene.mesh.reference.insert(scene.mesh.reference.end(), {h * i, h * j, h * k, 0.});
     for (unsigned int k = 0; k < n; ++k)
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
