@@ -4,6 +4,7 @@
 // wheel is the mirror image; a force given finds the pitch rate that gives it; printed blocks.
 
 #include "contact_inputs.h"
+#include "messages.h"
 #include "reference_table.h"
 
 #include <wheelrail/contactfiles/gap_search.h>
@@ -171,6 +172,24 @@ namespace
   void
   test_refusals()
   {
+    test::check_text(
+      refusal(" 0.2 0.2 1 90d", " 1e-7 0.2 1 90d"),
+      "x.inp:6: Half-spaces: the overlap of wheel and rail is more than 1000000 elements long: "
+      "a position or force out of scale",
+      "elements out of scale");
+    const auto misread = [](const std::string &from, const std::string &to) {
+      return test::message_of([&]() { refusal(from, to); });
+    };
+    test::check_text(
+      misread(" 0 0 237 0 0.004", " 0 0 1e13 0 0.004"),
+      "x.inp:6: a number of the track, the wheelset or the elements is not finite, or beyond 1e12",
+      "a load out of scale");
+    test::check_text(misread(" 0.2 0.2 1 90d", " 0.2 200 1 90d"),
+                     "x.inp:12: DX and DS, the size of the elements, are not from 0 to 100 mm",
+                     "large elements");
+    test::check_text(misread(" 0 0 100                FBDIST", " 0 0 0 FBDIST"),
+                     "x.inp:16: NOMRADW, or NOMRADR of a roller, is not positive",
+                     "a wheel without radius");
     std::ofstream("three.prr") << "0 0\n1 0\n2 0\n";
     test::check_text(refusal("round.prr", "three.prr"),
                      "three.prr: 3 points; a profile of an input file of CONTACT has four or more",

@@ -32,7 +32,8 @@ namespace wheelrail
 
   namespace
   {
-    /// Whether all that moves, presses and heats is finite, and products of several of it.
+    /// Whether all that moves, presses and heats is finite, and products of several of it. What is not given
+    /// may be NaN.
     bool
     has_finite_numbers(const HalfspaceProblem &problem)
     {
@@ -62,7 +63,7 @@ namespace wheelrail
       for (const auto *values : {&problem.rigid_slip_x, &problem.rigid_slip_y, &problem.pressure})
         numbers.insert(numbers.end(), values->begin(), values->end());
       constexpr double most = 1e20;
-      return std::all_of(numbers.begin(), numbers.end(), [](const double v) { return std::abs(v) < most; });
+      return std::none_of(numbers.begin(), numbers.end(), [](const double v) { return std::abs(v) >= most; });
     }
   } // namespace
 
