@@ -112,8 +112,8 @@ namespace
     check_relative(l.in_track[1], -r.in_track[1], 1e-9, "left: place on the other side");
     check_relative(l.spin_moment, -r.spin_moment, 1e-3, "left: moment turned");
     check_relative(left.force_wheelset[1], -right.force_wheelset[1], 1e-4, "left: force on the wheelset");
-    const int  mx = r.solution.grid.mx, my = r.solution.grid.my;
-    const auto e = std::size_t(mx / 2 + mx * (my / 3)), f = std::size_t(mx / 2 + mx * (my - 1 - my / 3));
+    const std::size_t mx = r.solution.grid.mx, my = r.solution.grid.my;
+    const std::size_t e = mx / 2 + mx * (my / 3), f = mx / 2 + mx * (my - 1 - my / 3);
     check_relative(l.solution.pressure[f], r.solution.pressure[e], 1e-4, "left: rows in a mirror");
   }
 
@@ -252,8 +252,8 @@ main()
   const std::string printed = printed_blocks(cases, results);
   for (const char *part : {"\n WHEEL-RAIL CONTACT, LEFT WHEEL,  1 CONTACT PATCH\n",
                            " ----- DATA FOR CONTACT PATCH  1 (PREV  1) -----\n",
-                           "     XCP(TR)     YCP(TR)     ZCP(TR)    DELTCP(TR)   YCP(R)      ZCP(R)\n"
-                           "       -0.0697      8.7104      0.3801      0.0872      8.7104      0.3801\n",
+                           ("     XCP(TR)     YCP(TR)     ZCP(TR)    DELTCP(TR)   YCP(R)      ZCP(R)\n"
+                            "       -0.0697      8.7104      0.3801      0.0872      8.7104      0.3801\n"),
                            "         240.0      -37.65      -23.54       73.24   1.624E-02  -2.679E-02\n",
                            "     SPINXO      SPINYO\n        0.1303       8.721\n"})
     check(printed.find(part) != std::string::npos, std::string("printed: ") + part);
