@@ -119,8 +119,8 @@ namespace wheelrail
       }
     // 2. tractions of that displacement on the periodic doubled grid, A^-1 by its symbol
     apply(kernels_.inverse_xx, kernels_.inverse_xy, kernels_.inverse_yy, work_, image_);
+    // 3. cut to the elements that stick
     for (auto &w : work_)
-      // 3. cut to the elements that stick
       std::fill(w.begin(), w.end(), 0.);
     for (std::size_t e = 0; e < n_; ++e)
       if (!slipping[e])

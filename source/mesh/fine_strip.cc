@@ -85,12 +85,13 @@ namespace wheelrail
     // turn away from the plane that its blocks are parallel to.
     constexpr double many = 4, turned = 0.45, free = 1;
     const double     wanted = (hull.s1 - hull.s0) / block_size;
-    const double     blocks = wanted > many ? wanted : std::max(1., std::ceil(wanted - 1e-9));
+    const bool       wide   = wanted > many;
+    const double     blocks = wide ? wanted : std::max(1., std::ceil(wanted - 1e-9));
     const double     middle = 0.5 * (hull.s0 + hull.s1);
     // the wheel's chamfer ends its running layer, which needs a rest beside the strip (make_running_layer())
     constexpr double chamfer = 0.5, rest = 0.3;
-    Range            limits = strip_limits(wheel, rail, wanted > many ? turned : free);
-    if (wanted > many)
+    Range            limits = strip_limits(wheel, rail, wide ? turned : free);
+    if (wide)
       limits.s0 = std::max(limits.s0, steep_from(wheel, wheel.s_min(), chamfer) + rest * block_size);
     const Range strip{std::max(limits.s0, middle - 0.5 * blocks * block_size),
                       std::min(limits.s1, middle + 0.5 * blocks * block_size)};
@@ -105,7 +106,7 @@ namespace wheelrail
     // cells cut the stable time step
     const double       width = strip.s1 - strip.s0;
     const unsigned int count =
-      wanted > many ? std::lround(width / block_size) : std::max(1., std::ceil(width / block_size - 0.25));
+      wide ? std::lround(width / block_size) : std::max(1., std::ceil(width / block_size - 0.25));
 
     return divided(contact.frame, strip, count);
   }

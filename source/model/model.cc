@@ -152,11 +152,10 @@ namespace wheelrail
       prepare(model.solid, model.discretization->local_mesh(), communicator);
     }
 
-    StableStep
-    step_of_cells(const Scene &scene, const SweepPlan &plan)
+    PerBody<Elasticity>
+    steel_of(const Scene &scene)
     {
-      return step_on_path(
-        plan, {elasticity(scene.rail_material), elasticity(scene.wheel_material)}, scene.bulk_viscosity);
+      return {elasticity(scene.rail_material), elasticity(scene.wheel_material)};
     }
 
     /// Bodies and contact on the mesh of the start; the contact's law follows from it.
@@ -165,22 +164,12 @@ namespace wheelrail
     {
       const SweepPlan &plan = model.discretization->plan();
       prepare_solid(model, communicator);
-      const StableStep on_path = step_of_cells(scene, plan);
-      const double     shorter = on_path.step / model.solid.stable.step;
+      const double of_cells = model.solid.stable.step;
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
       model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
       prepare_parts(model.parts, model.solid);
       lower_stable_step(model.solid, model.parts);
-      // the start lies on the smooth surfaces: what comes later counts now
-      constexpr double even = 1 - 1e-3;
-      if (shorter < even)
-        {
-          StableStep &stable = model.solid.stable;
-          stable.step *= shorter;
-          stable.body   = on_path.body;
-          stable.length = on_path.length;
-          stable.place  = on_path.place;
-        }
+      lower_step_to_path(plan, steel_of(scene), scene.bulk_viscosity, of_cells, model.solid.stable);
       model.contact = make_contact(scene, model, communicator);
       prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
     }
@@ -323,7 +312,7 @@ namespace wheelrail
   StableStep
   limit_of_step(const Scene &scene, const SceneGeometry &geometry)
   {
-    return step_of_cells(scene, sweep_plan(scene, geometry));
+    return step_on_path(sweep_plan(scene, geometry), steel_of(scene), scene.bulk_viscosity);
   }
 
 

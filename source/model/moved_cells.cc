@@ -131,4 +131,29 @@ namespace wheelrail
     stable.step = stable_step(largest, bulk_viscosity);
     return stable;
   }
+
+
+  void
+  lower_step_to_path(const SweepPlan           &plan,
+                     const PerBody<Elasticity> &steel,
+                     const double               bulk_viscosity,
+                     const double               at_start,
+                     StableStep                &stable)
+  {
+    const auto moves_nodes = [&plan](const Body body) {
+      const Range stretch = moved_stretch(plan, body);
+      return stretch.s0 < stretch.s1;
+    };
+    if (std::none_of(both_bodies.begin(), both_bodies.end(), moves_nodes))
+      return;
+    constexpr double even    = 1 - 1e-3;
+    const StableStep on_path = step_on_path(plan, steel, bulk_viscosity);
+    const double     shorter = on_path.step / at_start;
+    if (shorter > even)
+      return;
+    stable.step *= shorter;
+    stable.body   = on_path.body;
+    stable.length = on_path.length;
+    stable.place  = on_path.place;
+  }
 } // namespace wheelrail

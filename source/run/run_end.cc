@@ -133,15 +133,6 @@ namespace wheelrail
       set_wear_figures(worn, scene.wear, summary);
     }
 
-    /// T-gamma times the velocity, with its error.
-    void
-    add_frictional_power(Summary &summary, const double velocity)
-    {
-      for (const std::string tail : {"", "_error"})
-        set_figure(
-          summary, "frictional_power" + tail + "_W", get_figure(summary, "t_gamma" + tail + "_N") * velocity);
-    }
-
     /// How the wheelset stood in the middle of the stretch of the means.
     void
     add_motion(Summary &summary, const GuidedPath &path, const Range &stretch)
@@ -152,7 +143,6 @@ namespace wheelrail
       set_figure(summary, "wheelset_roll_rad", path.roll.at(middle));
       set_figure(summary, "yaw_rad", path.yaw.at(middle));
       summary.velocity = path.velocity.at(middle);
-      add_frictional_power(summary, summary.velocity);
     }
 
     /// Holds the peak pressure against that of half-spaces, and adds both figures.
@@ -343,7 +333,6 @@ namespace wheelrail
         set_figure(summary, "plastic_band_depth_m", plastic.band_depth);
         set_figure(summary, "plastic_band_centre_lateral_m", plastic.band_centre);
       }
-    add_frictional_power(summary, run.scene.velocity);
     // the same turning of the wheel, counted at another of its radii
     const double centre_radius = model.contact->surfaces().local_radius(summary.patch_centre_lateral);
     set_figure(summary,
@@ -372,6 +361,10 @@ namespace wheelrail
       set_figure(summary, "yaw_rad", model.geometry.yaw);
     if (model.axle.path)
       add_motion(summary, *model.axle.path, run.recorder.averaging_stretch(run.scene));
+    for (const std::string tail : {"", "_error"})
+      set_figure(summary,
+                 "frictional_power" + tail + "_W",
+                 get_figure(summary, "t_gamma" + tail + "_N") * summary.velocity);
     add_pose(summary, run.scene, model, run.axle, run.communicator);
     summary.peak_memory = peak_memory(run.communicator);
     summary.wall_time   = tally.wall_time;

@@ -13,4 +13,13 @@ namespace wheelrail
   /// folded.
   StableStep
   step_on_path(const SweepPlan &plan, const PerBody<Elasticity> &steel, double bulk_viscosity);
+
+  /// The start lies on the smooth surfaces, where the cells allow the step `at_start` [s]: lowers the stable
+  /// step in the ratio in which those of the path do (step_on_path()), where irregularities move nodes.
+  void
+  lower_step_to_path(const SweepPlan           &plan,
+                     const PerBody<Elasticity> &steel,
+                     double                     bulk_viscosity,
+                     double                     at_start,
+                     StableStep                &stable);
 } // namespace wheelrail
