@@ -43,7 +43,7 @@ def main(picture):
             axes.annotate(row["cells"].removesuffix(" mm"), (second, 0.02), xycoords=("data", "axes fraction"), ha="center",
                           fontsize="small")
         axes.set(title=name, xscale="log", xlim=(seconds[0] / 1.6, 1.6 * seconds[-1]))
-        axes.set_xticks((5, 50, 500), ("5", "50", "500"))
+        axes.set_xticks((10, 100, 1000), ("10", "100", "1000"))
         axes.minorticks_off()
         axes.grid(alpha=0.3)
     panels[0].set_ylabel("off the true bodies [%]")
