@@ -175,10 +175,8 @@ cntc_calculate(const int *ire, const int *icp, int *error)
 {
   if (error)
     *error = call_error::element;
-  if (faulty(__func__, {ire, icp, error}))
-    return;
   const int failed =
-    with_problem({"cntc_calculate"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
+    with_problem({__func__, ire, icp}, {error}, [&](CallElement &element, CallProblem &problem) {
       const double cpu  = cpu_seconds();
       const auto   wall = std::chrono::steady_clock::now();
       *error            = call_error::other;
@@ -186,6 +184,6 @@ cntc_calculate(const int *ire, const int *icp, int *error)
       problem.cpu_seconds += cpu_seconds() - cpu;
       problem.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
     });
-  if (failed != 0 && *error >= 0)
+  if (failed != 0 && error && *error >= 0)
     *error = call_error::other;
 }

@@ -87,16 +87,28 @@ namespace wheelrail
   }
 
   CallArgument
-  when(const int *n, CallArgument array)
+  when(const int *n, CallArgument array, const std::size_t each)
   {
     if (n && *n <= 0)
       return {n};
-    array.count = n ? *n : 0;
+    array.count = n ? each * std::size_t(*n) : 0;
+    return array;
+  }
+
+  CallArgument
+  cleared(const int *n, double *results)
+  {
+    CallArgument array = when(n, results);
+    if (n && *n > 0)
+      {
+        array.cleared = results;
+        array.bytes   = sizeof(double) * std::size_t(*n);
+      }
     return array;
   }
 
   bool
-  faulty(const char *function, const std::initializer_list<CallArgument> arguments)
+  faulty(const char *function, const std::vector<CallArgument> &arguments)
   {
     std::string fault;
     for (const CallArgument &one : arguments)
@@ -165,19 +177,20 @@ namespace wheelrail
   namespace
   {
     std::shared_ptr<CallElement>
-    element_of(const CallFor &call, const int ire)
+    element_of(const CallFor &call)
     {
       const std::lock_guard<std::mutex> hold(table().lock);
-      const auto                        found = table().elements.find(ire);
+      const auto                        found = table().elements.find(*call.ire);
       if (found == table().elements.end())
-        throw InputError(std::string(call.name) + ": there is no result element " + std::to_string(ire) +
-                         "; call cntc_initialize for it first");
+        throw InputError(std::string(call.name) + ": there is no result element " +
+                         std::to_string(*call.ire) + "; call cntc_initialize for it first");
       return found->second;
     }
 
     CallProblem &
-    problem_of(const CallFor &call, CallElement &element, const int icp)
+    problem_of(const CallFor &call, CallElement &element)
     {
+      const int         icp   = *call.icp;
       const std::string where = std::string(call.name) + ", result element " + std::to_string(element.number);
       if (call.module != 0 && element.module != call.module)
         throw InputError(where + ": is for module " + std::to_string(call.module) + ", the element is of " +
@@ -215,14 +228,18 @@ namespace wheelrail
 
   int
   with_problem(const CallFor                                           &call,
-               const int                                                ire,
-               const int                                                icp,
+               const std::vector<CallArgument>                         &arguments,
                const std::function<void(CallElement &, CallProblem &)> &work)
   {
+    if (faulty(call.name, {call.ire, call.icp}) || faulty(call.name, arguments))
+      return call_error::input;
+    for (const CallArgument &one : arguments)
+      if (one.cleared)
+        std::memset(one.cleared, 0, one.bytes);
     try
       {
-        const std::shared_ptr<CallElement> element = element_of(call, ire);
-        CallProblem                       &problem = problem_of(call, *element, icp);
+        const std::shared_ptr<CallElement> element = element_of(call);
+        CallProblem                       &problem = problem_of(call, *element);
         try
           {
             if (call.result && !problem.computed())

@@ -120,51 +120,50 @@ cntc_setsolverflags(const int    *ire,
                     const int    *n_reals,
                     const double *reals)
 {
-  if (faulty(__func__, {ire, icp, G, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)}))
-    return;
   constexpr int counts[7][2] = {{4, 1}, {0, 0}, {5, 4}, {5, 4}, {5, 2}, {5, 8}, {1, 1}};
-  with_problem({"cntc_setsolverflags"}, *ire, *icp, [&](CallElement &, CallProblem &problem) {
-    if (*G < 0 || *G > 6)
-      throw InputError("G = " + std::to_string(*G) + " is unknown; 0 to 6 are known");
-    need("G = " + std::to_string(*G) + ", its integers,", *n_integers, counts[*G][0]);
-    need("G = " + std::to_string(*G) + ", its reals,", *n_reals, counts[*G][1]);
-    if (*G == 1 || *G == 6) // as before; sensitivities
-      return;
-    ContactIteration &iteration = problem.one.iteration;
-    problem.one.digits.solver   = *G;
-    iteration.maxgs             = std::max(1, integers[0]);
-    iteration.maxin             = std::max(1, integers[1]);
-    iteration.maxnr             = std::max(1, integers[2]);
-    iteration.maxout            = std::max(1, integers[3]);
-    iteration.eps               = reals[0];
-    iteration.relaxation.assign(reals + 1, reals + *n_reals);
-  });
+  with_problem({__func__, ire, icp},
+               {G, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)},
+               [&](CallElement &, CallProblem &problem) {
+                 if (*G < 0 || *G > 6)
+                   throw InputError("G = " + std::to_string(*G) + " is unknown; 0 to 6 are known");
+                 need("G = " + std::to_string(*G) + ", its integers,", *n_integers, counts[*G][0]);
+                 need("G = " + std::to_string(*G) + ", its reals,", *n_reals, counts[*G][1]);
+                 if (*G == 1 || *G == 6) // as before; sensitivities
+                   return;
+                 ContactIteration &iteration = problem.one.iteration;
+                 problem.one.digits.solver   = *G;
+                 iteration.maxgs             = std::max(1, integers[0]);
+                 iteration.maxin             = std::max(1, integers[1]);
+                 iteration.maxnr             = std::max(1, integers[2]);
+                 iteration.maxout            = std::max(1, integers[3]);
+                 iteration.eps               = reals[0];
+                 iteration.relaxation.assign(reals + 1, reals + *n_reals);
+               });
 }
 
 void
 cntc_setmaterialparameters(const int *ire, const int *icp, const int *M, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, icp, M, n, when(n, values)}))
-    return;
-  with_problem({"cntc_setmaterialparameters"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    ContactCase      &one  = problem.one;
-    const std::string name = "M = " + std::to_string(*M);
-    if (*M >= 10 && *M <= 12)
-      {
-        one.digits.damping = *M - 10;
-        if (*M == 12)
-          {
-            need(name, *n, 4);
-            one.material.damping.assign(values, values + 4);
-          }
-        return;
-      }
-    if (*M < 0 || *M > 5)
-      throw InputError(name + " is unknown; 0 to 5 and 10 to 12 are known");
-    need(name, *n, 4 + constants_of[*M]);
-    set_elastic(one, values[0], values[1], values[2], values[3], element.units);
-    set_material_kind(one, *M, values + 4, element.units);
-  });
+  with_problem(
+    {__func__, ire, icp}, {M, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+      ContactCase      &one  = problem.one;
+      const std::string name = "M = " + std::to_string(*M);
+      if (*M >= 10 && *M <= 12)
+        {
+          one.digits.damping = *M - 10;
+          if (*M == 12)
+            {
+              need(name, *n, 4);
+              one.material.damping.assign(values, values + 4);
+            }
+          return;
+        }
+      if (*M < 0 || *M > 5)
+        throw InputError(name + " is unknown; 0 to 5 and 10 to 12 are known");
+      need(name, *n, 4 + constants_of[*M]);
+      set_elastic(one, values[0], values[1], values[2], values[3], element.units);
+      set_material_kind(one, *M, values + 4, element.units);
+    });
 }
 
 void
@@ -175,80 +174,77 @@ cntc_setmaterialproperties(const int    *ire,
                            const double *shear2,
                            const double *poisson2)
 {
-  if (faulty(__func__, {ire, icp, shear1, poisson1, shear2, poisson2}))
-    return;
-  with_problem({"cntc_setmaterialproperties"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    set_elastic(problem.one, *poisson1, *poisson2, *shear1, *shear2, element.units);
-  });
+  with_problem({__func__, ire, icp},
+               {shear1, poisson1, shear2, poisson2},
+               [&](CallElement &element, CallProblem &problem) {
+                 set_elastic(problem.one, *poisson1, *poisson2, *shear1, *shear2, element.units);
+               });
 }
 
 void
 cntc_setinterfaciallayer(const int *ire, const int *icp, const int *M, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, icp, M, n, when(n, values)}))
-    return;
-  with_problem({"cntc_setinterfaciallayer"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    if (*M < 0 || *M > 5)
-      throw InputError("M = " + std::to_string(*M) + " is unknown; 0 to 5 are known");
-    if (*M > 0)
-      need("M = " + std::to_string(*M), *n, constants_of[*M]);
-    set_material_kind(problem.one, *M, values, element.units);
-  });
+  with_problem(
+    {__func__, ire, icp}, {M, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+      if (*M < 0 || *M > 5)
+        throw InputError("M = " + std::to_string(*M) + " is unknown; 0 to 5 are known");
+      if (*M > 0)
+        need("M = " + std::to_string(*M), *n, constants_of[*M]);
+      set_material_kind(problem.one, *M, values, element.units);
+    });
 }
 
 void
 cntc_settemperaturedata(const int *ire, const int *icp, const int *H, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, icp, H, n, when(n, values)}))
-    return;
-  with_problem({"cntc_settemperaturedata"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    ContactMaterial &material = problem.one.material;
-    if (*H == 3)
-      {
-        need("H = 3", *n, 9);
-        material.heat.assign(values, values + 8);
-        for (const int body : {0, 4})
-          {
-            material.heat[std::size_t(body + 2)] /= element.units.length;
-            material.heat[std::size_t(body + 3)] /= std::pow(element.units.length, 3);
-          }
-        material.plastic_heat = values[8];
-      }
-    else if (*H != 0 && *H != 1)
-      throw InputError("H = " + std::to_string(*H) + " is unknown; 0, 1 and 3 are known");
-    if (*H != 1)
-      problem.one.digits.heat = *H;
-  });
+  with_problem(
+    {__func__, ire, icp}, {H, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+      ContactMaterial &material = problem.one.material;
+      if (*H == 3)
+        {
+          need("H = 3", *n, 9);
+          material.heat.assign(values, values + 8);
+          for (const int body : {0, 4})
+            {
+              material.heat[std::size_t(body + 2)] /= element.units.length;
+              material.heat[std::size_t(body + 3)] /= std::pow(element.units.length, 3);
+            }
+          material.plastic_heat = values[8];
+        }
+      else if (*H != 0 && *H != 1)
+        throw InputError("H = " + std::to_string(*H) + " is unknown; 0, 1 and 3 are known");
+      if (*H != 1)
+        problem.one.digits.heat = *H;
+    });
 }
 
 void
 cntc_setfrictionmethod(const int *ire, const int *icp, const int *VL, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, icp, VL, n, when(n, values)}))
-    return;
   constexpr int counts[] = {2, 0, 7, 7, 7, 3, 6};
-  with_problem({"cntc_setfrictionmethod"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    const int V = *VL / 10, L = *VL % 10;
-    if (*VL < 0 || V > 2 || L > 6)
-      throw InputError("the method " + std::to_string(*VL) + " is unknown: 10 V + L, V to 2, L to 6");
-    if (L == 1)
-      return;
-    if (V > 0 && element.module != 1)
-      throw InputError("V = " + std::to_string(V) + " is for module 1 only");
-    const bool led   = V > 0;
-    const int  lines = led && *n > 0 ? int(std::lround(values[0])) : 1;
-    need("the method " + std::to_string(*VL), *n, (led ? 1 : 0) + lines * (counts[L] + (led ? 1 : 0)));
-    ContactFriction friction;
-    friction.line   = 1;
-    const double *v = values + (led ? 1 : 0);
-    for (int k = 0; k < lines; ++k, v += counts[L])
-      {
-        const double place = led ? (V == 2 ? element.units.length : 1) * *v++ : 0;
-        friction.lines.push_back(friction_line(L, v, element.units, friction));
-        friction.lines.back().place = place;
-      }
-    problem.one.friction         = friction;
-    problem.one.digits.variation = V;
-    problem.one.digits.law       = L == 5 ? 4 : L;
-  });
+  with_problem(
+    {__func__, ire, icp}, {VL, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+      const int V = *VL / 10, L = *VL % 10;
+      if (*VL < 0 || V > 2 || L > 6)
+        throw InputError("the method " + std::to_string(*VL) + " is unknown: 10 V + L, V to 2, L to 6");
+      if (L == 1)
+        return;
+      if (V > 0 && element.module != 1)
+        throw InputError("V = " + std::to_string(V) + " is for module 1 only");
+      const bool led   = V > 0;
+      const int  lines = led && *n > 0 ? int(std::lround(values[0])) : 1;
+      need("the method " + std::to_string(*VL), *n, (led ? 1 : 0) + lines * (counts[L] + (led ? 1 : 0)));
+      ContactFriction friction;
+      friction.line   = 1;
+      const double *v = values + (led ? 1 : 0);
+      for (int k = 0; k < lines; ++k, v += counts[L])
+        {
+          const double place = led ? (V == 2 ? element.units.length : 1) * *v++ : 0;
+          friction.lines.push_back(friction_line(L, v, element.units, friction));
+          friction.lines.back().place = place;
+        }
+      problem.one.friction         = friction;
+      problem.one.digits.variation = V;
+      problem.one.digits.law       = L == 5 ? 4 : L;
+    });
 }

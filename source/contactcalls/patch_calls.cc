@@ -16,16 +16,18 @@ using namespace wheelrail;
 namespace
 {
   void
-  get_motion(const char *name, const int ire, const int n, double *values, const bool velocity)
+  get_motion(const char *name, const int *ire, const int *n, double *values, const bool velocity)
   {
-    with_problem({name, 1}, ire, -1, [&](CallElement &element, CallProblem &problem) {
-      std::array<double, 6> motion = velocity ? problem.one.wheelset.velocity : problem.one.wheelset.position;
-      if (problem.wheel_rail) // height and pitch rate are results where forces are given
-        motion[velocity ? 5 : 2] =
-          velocity ? problem.wheel_rail->pitch_rate : problem.wheel_rail->height / millimetre;
-      for (int k = 0; k < std::min(n, 6); ++k)
-        values[k] = motion[std::size_t(k)] / (k < 3 ? element.units.length : 1);
-    });
+    with_problem(
+      {name, ire, &whole, 1}, {n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+        std::array<double, 6> motion =
+          velocity ? problem.one.wheelset.velocity : problem.one.wheelset.position;
+        if (problem.wheel_rail) // height and pitch rate are results where forces are given
+          motion[velocity ? 5 : 2] =
+            velocity ? problem.wheel_rail->pitch_rate : problem.wheel_rail->height / millimetre;
+        for (int k = 0; k < std::min(*n, 6); ++k)
+          values[k] = motion[std::size_t(k)] / (k < 3 ? element.units.length : 1);
+      });
   }
 
   /// Roll and yaw of a motion that turns by yaw about z, then by roll about x.
@@ -113,26 +115,19 @@ namespace
 void
 cntc_getwheelsetposition(const int *ire, const int *n, double *values)
 {
-  if (faulty(__func__, {ire, n, when(n, values)}))
-    return;
-  get_motion("cntc_getwheelsetposition", *ire, *n, values, false);
+  get_motion(__func__, ire, n, values, false);
 }
 
 void
 cntc_getwheelsetvelocity(const int *ire, const int *n, double *values)
 {
-  if (faulty(__func__, {ire, n, when(n, values)}))
-    return;
-  get_motion("cntc_getwheelsetvelocity", *ire, *n, values, true);
+  get_motion(__func__, ire, n, values, true);
 }
 
 void
 cntc_getnumcontactpatches(const int *ire, int *n)
 {
-  if (faulty(__func__, {ire, n}))
-    return;
-  *n = 0;
-  with_problem({"cntc_getnumcontactpatches", 1, true}, *ire, -1, [&](CallElement &, CallProblem &problem) {
+  with_problem({__func__, ire, &whole, 1, true}, {cleared(n)}, [&](CallElement &, CallProblem &problem) {
     *n = int(problem.wheel_rail->patches.size());
   });
 }
@@ -140,11 +135,8 @@ cntc_getnumcontactpatches(const int *ire, int *n)
 void
 cntc_getcontactlocation(const int *ire, const int *icp, const int *n, double *values)
 {
-  if (faulty(__func__, {ire, icp, n, when(n, values)}))
-    return;
-  std::fill(values, values + std::max(0, *n), 0.);
   with_problem(
-    {"cntc_getcontactlocation", 1, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
+    {__func__, ire, icp, 1, true}, {n, cleared(n, values)}, [&](CallElement &element, CallProblem &problem) {
       const auto all = locations(problem, *call_result(problem, *icp).patch);
       for (int k = 0; k < std::min(*n, int(all.size())); ++k)
         values[k] = all[std::size_t(k)] / (is_angle(k + 1) ? 1 : millimetre * element.units.length);
@@ -154,11 +146,8 @@ cntc_getcontactlocation(const int *ire, const int *icp, const int *n, double *va
 void
 cntc_getglobalforces(const int *ire, const int *icp, const int *n, double *values)
 {
-  if (faulty(__func__, {ire, icp, n, when(n, values)}))
-    return;
-  std::fill(values, values + std::max(0, *n), 0.);
   with_problem(
-    {"cntc_getglobalforces", 1, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
+    {__func__, ire, icp, 1, true}, {n, cleared(n, values)}, [&](CallElement &element, CallProblem &problem) {
       const ContactCase  &one  = *problem.before;
       const WheelRailPose pose = wheel_rail_pose(one, RailShape(one).middle());
       const double        side = pose.left ? -1 : 1;

@@ -126,32 +126,30 @@ namespace
 
   void
   get_profile(const char   *name,
-              const int     ire,
-              const int     task,
-              const int     n_integers,
+              const int    *ire,
+              const int    *task,
+              const int    *n_integers,
               const int    *integers,
-              const double  spacing,
-              const int     n,
-              double *const values)
+              const int    *n_reals,
+              const double *reals,
+              const int    *n,
+              double       *values)
   {
-    std::fill(values, values + std::max(0, n), 0.);
-    if (n > 0)
-      values[0] = call_error::profile;
-    with_problem({name, 1}, ire, -1, [&](CallElement &, CallProblem &problem) {
-      const bool wheel = n_integers > 0 && integers[0] == 1;
-      if ((wheel ? problem.one.wheelset.profile.line : problem.one.track.profile.line) == 0)
-        throw InputError(std::string("no profile of the ") + (wheel ? "wheel" : "rail") + " has been set");
-      if (task == -1)
-        {
-          if (n > 0)
-            values[0] = 0; // it was found when it was set
+    const int failed = with_problem(
+      {name, ire, &whole, 1},
+      {task, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals), n, cleared(n, values)},
+      [&](CallElement &, CallProblem &problem) {
+        const bool wheel = *n_integers > 0 && integers[0] == 1;
+        if ((wheel ? problem.one.wheelset.profile.line : problem.one.track.profile.line) == 0)
+          throw InputError(std::string("no profile of the ") + (wheel ? "wheel" : "rail") + " has been set");
+        if (*task == -1) // it was found when it was set
           return;
-        }
-      const std::vector<double> found =
-        profile_values(problem, task, wheel, n_integers > 1 ? integers[1] : 0, spacing);
-      for (int k = 0; k < n; ++k)
-        values[k] = std::size_t(k) < found.size() ? found[std::size_t(k)] : 0;
-    });
+        const std::vector<double> found = profile_values(
+          problem, *task, wheel, *n_integers > 1 ? integers[1] : 0, *n_reals > 0 ? reals[0] : 1);
+        std::copy_n(found.begin(), std::min(std::size_t(std::max(0, *n)), found.size()), values);
+      });
+    if (failed != 0 && n && *n > 0 && values)
+      values[0] = call_error::profile;
   }
 } // namespace
 
@@ -163,9 +161,8 @@ cntc_getprofilevalues(const int *ire,
                       const int *n,
                       double    *values)
 {
-  if (faulty(__func__, {ire, task, n_integers, when(n_integers, integers), n, when(n, values)}))
-    return;
-  get_profile("cntc_getprofilevalues", *ire, *task, *n_integers, integers, 1, *n, values);
+  constexpr int none = 0;
+  get_profile(__func__, ire, task, n_integers, integers, &none, nullptr, n, values);
 }
 
 void
@@ -178,16 +175,5 @@ cntc_getprofilevalues_new(const int    *ire,
                           const int    *n,
                           double       *values)
 {
-  if (faulty(__func__,
-             {ire,
-              task,
-              n_integers,
-              when(n_integers, integers),
-              n_reals,
-              when(n_reals, reals),
-              n,
-              when(n, values)}))
-    return;
-  get_profile(
-    "cntc_getprofilevalues_new", *ire, *task, *n_integers, integers, *n_reals > 0 ? reals[0] : 1, *n, values);
+  get_profile(__func__, ire, task, n_integers, integers, n_reals, reals, n, values);
 }

@@ -100,20 +100,17 @@ cntc_finalizelast()
 void
 cntc_readinpfile(const int *ire, const int *kind, const char *name, const int *name_length, int *error)
 {
+  const int failed = with_problem(
+    {__func__, ire, &whole, 1}, {kind, name_length, error}, [&](CallElement &, CallProblem &problem) {
+      if (*kind != 1988)
+        throw InputError("input of kind " + std::to_string(*kind) + " is not read; taken is 1988 (module 1)");
+      const std::vector<ContactCase> cases = read_inp_file(call_text(name, *name_length));
+      if (cases.empty() || cases.front().module != 1)
+        throw InputError(call_text(name, *name_length) + " does not begin with a case of module 1");
+      problem.one = cases.front();
+    });
   if (error)
-    *error = call_error::input;
-  if (faulty(__func__, {ire, kind, name_length, error}))
-    return;
-  if (with_problem({"cntc_readinpfile", 1}, *ire, -1, [&](CallElement &, CallProblem &problem) {
-        if (*kind != 1988)
-          throw InputError("input of kind " + std::to_string(*kind) +
-                           " is not read; taken is 1988 (module 1)");
-        const std::vector<ContactCase> cases = read_inp_file(call_text(name, *name_length));
-        if (cases.empty() || cases.front().module != 1)
-          throw InputError(call_text(name, *name_length) + " does not begin with a case of module 1");
-        problem.one = cases.front();
-      }) == 0)
-    *error = 0;
+    *error = failed == 0 ? 0 : call_error::input;
 }
 
 void
@@ -128,30 +125,28 @@ cntc_setglobalflags(const int *n, const int *codes, const int *values)
 void
 cntc_setflags(const int *ire, const int *icp, const int *n, const int *codes, const int *values)
 {
-  if (faulty(__func__, {ire, icp, n, when(n, codes), when(n, values)}))
-    return;
-  with_problem({"cntc_setflags"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    for (int k = 0; k < *n; ++k)
-      set_flag(element, problem, codes[k], values[k]);
-  });
+  with_problem({__func__, ire, icp},
+               {n, when(n, codes), when(n, values)},
+               [&](CallElement &element, CallProblem &problem) {
+                 for (int k = 0; k < *n; ++k)
+                   set_flag(element, problem, codes[k], values[k]);
+               });
 }
 
 void
 cntc_getflags(const int *ire, const int *icp, const int *n, const int *codes, int *values)
 {
-  if (faulty(__func__, {ire, icp, n, when(n, codes), when(n, values)}))
-    return;
-  with_problem({"cntc_getflags"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    for (int k = 0; k < *n; ++k)
-      values[k] = flag(element, problem, codes[k]);
-  });
+  with_problem({__func__, ire, icp},
+               {n, when(n, codes), when(n, values)},
+               [&](CallElement &element, CallProblem &problem) {
+                 for (int k = 0; k < *n; ++k)
+                   values[k] = flag(element, problem, codes[k]);
+               });
 }
 
 void
 cntc_setmetadata(const int *ire, const int *icp, const int *, const int *, const double *)
 {
-  if (faulty(__func__, {ire, icp}))
-    return;
   // for files .mat alone, which are not written
-  with_problem({"cntc_setmetadata"}, *ire, *icp, [](CallElement &, CallProblem &) {});
+  with_problem({__func__, ire, icp}, {}, [](CallElement &, CallProblem &) {});
 }

@@ -3,7 +3,6 @@
 #include <wheelrail/contactcalls/contact_calls.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -13,15 +12,6 @@ using namespace wheelrail;
 
 namespace
 {
-  template <typename Work>
-  void
-  set_wheel_rail(const char *name, const int ire, const Work &work)
-  {
-    with_problem({name, 1}, ire, -1, [&](CallElement &element, CallProblem &problem) {
-      work(problem.one, element, problem);
-    });
-  }
-
   void
   need(const std::string &what, const int found, const int least, const int most)
   {
@@ -64,40 +54,42 @@ namespace
   }
 
   void
-  set_track(const char *name, const int ire, const int Z, const int n, const double *v)
+  set_track(const char *name, const int *ire, const int *Z, const int *count, const double *v)
   {
-    set_wheel_rail(name, ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
-      const CallUnits  &units = element.units;
-      ContactTrack     &track = one.track;
-      const std::string what  = "Z = " + std::to_string(Z);
-      switch (Z)
-        {
-          case 0:
-            break;
-          case 1:
-            need(what, n, 5, 6);
-            set_design(track, v, n > 5 ? v[5] : 0, units);
-            break;
-          case 2:
-            need(what, n, 6, 6);
-            set_deviation(track, v, units);
-            break;
-          case 3:
-            need(what, n, 11, 12);
-            set_design(track, v, n > 11 ? v[5] : 0, units);
-            set_deviation(track, v + n - 6, units);
-            break;
-          case 32:
-          case 33:
-            need(what, n, 4, 5);
-            track.springs = {v[0] / units.length, v[1], v[2] / units.length, v[3]};
-            if (n > 4)
-              track.springs.push_back(v[4] * units.length);
-            break;
-          default:
-            throw InputError(what + " is unknown; 0 to 3, 32 and 33 are known");
-        }
-    });
+    with_problem(
+      {name, ire, &whole, 1}, {Z, count, when(count, v)}, [&](CallElement &element, CallProblem &problem) {
+        const CallUnits  &units = element.units;
+        ContactTrack     &track = problem.one.track;
+        const std::string what  = "Z = " + std::to_string(*Z);
+        const int         n     = *count;
+        switch (*Z)
+          {
+            case 0:
+              break;
+            case 1:
+              need(what, n, 5, 6);
+              set_design(track, v, n > 5 ? v[5] : 0, units);
+              break;
+            case 2:
+              need(what, n, 6, 6);
+              set_deviation(track, v, units);
+              break;
+            case 3:
+              need(what, n, 11, 12);
+              set_design(track, v, n > 11 ? v[5] : 0, units);
+              set_deviation(track, v + n - 6, units);
+              break;
+            case 32:
+            case 33:
+              need(what, n, 4, 5);
+              track.springs = {v[0] / units.length, v[1], v[2] / units.length, v[3]};
+              if (n > 4)
+                track.springs.push_back(v[4] * units.length);
+              break;
+            default:
+              throw InputError(what + " is unknown; 0 to 3, 32 and 33 are known");
+          }
+      });
   }
 
   ContactProfile
@@ -139,25 +131,19 @@ namespace
 void
 cntc_settrackdimensions(const int *ire, const int *Z, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, Z, n, when(n, values)}))
-    return;
-  set_track("cntc_settrackdimensions", *ire, *Z, *n, values);
+  set_track(__func__, ire, Z, n, values);
 }
 
 void
 cntc_settrackdimensions_new(const int *ire, const int *Z, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, Z, n, when(n, values)}))
-    return;
-  set_track("cntc_settrackdimensions_new", *ire, *Z, *n, values);
+  set_track(__func__, ire, Z, n, values);
 }
 
 void
 cntc_settrackdimensions_old(const int *ire, const int *, const int *, const double *)
 {
-  if (faulty(__func__, {ire}))
-    return;
-  set_wheel_rail("cntc_settrackdimensions_old", *ire, [](ContactCase &, const CallElement &, CallProblem &) {
+  with_problem({__func__, ire, &whole, 1}, {}, [](CallElement &, CallProblem &) {
     throw InputError("the values of this old form are not taken; call cntc_settrackdimensions");
   });
 }
@@ -171,22 +157,21 @@ cntc_setprofileinputfname(const int    *ire,
                           const int    *n_reals,
                           const double *reals)
 {
-  if (faulty(__func__,
-             {ire, name_length, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)}))
-    return;
-  set_wheel_rail(
-    "cntc_setprofileinputfname", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
-      std::string file = call_text(name, *name_length);
-      std::replace(file.begin(), file.end(), '\\', '/');
-      std::error_code ignored;
-      if (!std::filesystem::is_regular_file(file, ignored))
-        throw InputError("the profile \"" + file + "\" is not there, or is no file");
-      const int      kind    = *n_integers > 0 ? integers[0] : -1;
-      const bool     wheel   = kind == 1 || (kind != 0 && is_wheel(file));
-      ContactProfile profile = profile_options(*n_integers, integers, *n_reals, reals, element.units);
-      profile.file           = file;
-      (wheel ? one.wheelset.profile : one.track.profile) = profile;
-    });
+  with_problem({__func__, ire, &whole, 1},
+               {name_length, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)},
+               [&](CallElement &element, CallProblem &problem) {
+                 std::string file = call_text(name, *name_length);
+                 std::replace(file.begin(), file.end(), '\\', '/');
+                 std::error_code ignored;
+                 if (!std::filesystem::is_regular_file(file, ignored))
+                   throw InputError("the profile \"" + file + "\" is not there, or is no file");
+                 const int      kind  = *n_integers > 0 ? integers[0] : -1;
+                 const bool     wheel = kind == 1 || (kind != 0 && is_wheel(file));
+                 ContactProfile profile =
+                   profile_options(*n_integers, integers, *n_reals, reals, element.units);
+                 profile.file                                                       = file;
+                 (wheel ? problem.one.wheelset.profile : problem.one.track.profile) = profile;
+               });
 }
 
 void
@@ -198,37 +183,30 @@ cntc_setprofileinputvalues(const int    *ire,
                            const int    *n_reals,
                            const double *reals)
 {
-  if (faulty(__func__,
-             {ire, n_points, yz, n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)}))
-    return;
-  set_wheel_rail(
-    "cntc_setprofileinputvalues", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
+  with_problem(
+    {__func__, ire, &whole, 1},
+    {n_points, when(n_points, yz, 2), n_integers, when(n_integers, integers), n_reals, when(n_reals, reals)},
+    [&](CallElement &element, CallProblem &problem) {
       const bool wheel = *n_integers < 1 || integers[0] >= 1;
       if (*n_points < 4)
         throw InputError("the profile has less than four points");
       ContactProfile profile = profile_options(*n_integers, integers, *n_reals, reals, element.units);
       profile.file           = wheel ? "values of the wheel" : "values of the rail";
       for (int k = 0; k < *n_points; ++k)
-        {
-          if (!std::isfinite(yz[2 * k] + yz[2 * k + 1]))
-            throw InputError("the profile holds a number that is not finite");
-          profile.points.emplace_back(yz[2 * k], yz[2 * k + 1]);
-        }
-      (wheel ? one.wheelset.profile : one.track.profile) = profile;
+        profile.points.emplace_back(yz[2 * k], yz[2 * k + 1]);
+      (wheel ? problem.one.wheelset.profile : problem.one.track.profile) = profile;
     });
 }
 
 void
 cntc_setwheelsetdimensions(const int *ire, const int *E, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, E, n, when(n, values)}))
-    return;
-  set_wheel_rail(
-    "cntc_setwheelsetdimensions", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
+  with_problem(
+    {__func__, ire, &whole, 1}, {E, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
       if (*E <= 0)
         return;
       need("E = " + std::to_string(*E), *n, 3, 4);
-      ContactWheelset &w = one.wheelset;
+      ContactWheelset &w = problem.one.wheelset;
       w.flange_distance  = values[0] * element.units.length;
       w.flange_place     = values[1] * element.units.length;
       w.radius           = values[2] * element.units.length;
@@ -242,49 +220,41 @@ cntc_setwheelsetdimensions(const int *ire, const int *E, const int *n, const dou
 void
 cntc_setwheelsetposition(const int *ire, const int *E, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, E, n, when(n, values)}))
-    return;
-  set_wheel_rail("cntc_setwheelsetposition",
-                 *ire,
-                 [&](ContactCase &one, const CallElement &element, CallProblem &problem) {
-                   if (*E <= 0)
-                     return;
-                   need("E = " + std::to_string(*E), *n, 6, 6);
-                   copy_motion(values, one.wheelset.position.data(), 3, 3, element.units);
-                   problem.approach           = one.wheelset.position[2]; // Z_WS, where FZ is not given
-                   one.wheelset.position_line = 1;
-                 });
+  with_problem(
+    {__func__, ire, &whole, 1}, {E, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+      if (*E <= 0)
+        return;
+      need("E = " + std::to_string(*E), *n, 6, 6);
+      copy_motion(values, problem.one.wheelset.position.data(), 3, 3, element.units);
+      problem.approach                   = problem.one.wheelset.position[2]; // Z_WS, where FZ is not given
+      problem.one.wheelset.position_line = 1;
+    });
 }
 
 void
 cntc_setwheelsetvelocity(const int *ire, const int *E, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, E, n, when(n, values)}))
-    return;
-  set_wheel_rail("cntc_setwheelsetvelocity",
-                 *ire,
-                 [&](ContactCase &one, const CallElement &element, CallProblem &problem) {
-                   if (*E <= 0)
-                     return;
-                   need("E = " + std::to_string(*E), *n, 6, 6);
-                   copy_motion(values, one.wheelset.velocity.data(), 3, 3, element.units);
-                   problem.spin               = one.wheelset.velocity[5]; // where FX_WS is not given
-                   one.wheelset.velocity_line = 1;
-                 });
+  with_problem(
+    {__func__, ire, &whole, 1}, {E, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+      if (*E <= 0)
+        return;
+      need("E = " + std::to_string(*E), *n, 6, 6);
+      copy_motion(values, problem.one.wheelset.velocity.data(), 3, 3, element.units);
+      problem.spin                       = problem.one.wheelset.velocity[5]; // where FX_WS is not given
+      problem.one.wheelset.velocity_line = 1;
+    });
 }
 
 void
 cntc_setwheelsetflexibility(const int *ire, const int *E, const int *n, const double *values)
 {
-  if (faulty(__func__, {ire, E, n, when(n, values)}))
-    return;
-  set_wheel_rail(
-    "cntc_setwheelsetflexibility", *ire, [&](ContactCase &one, const CallElement &element, CallProblem &) {
-      one.wheelset.flexible.fill(0);
+  with_problem(
+    {__func__, ire, &whole, 1}, {E, n, when(n, values)}, [&](CallElement &element, CallProblem &problem) {
+      problem.one.wheelset.flexible.fill(0);
       if (*E < 4)
         return;
       need("E = " + std::to_string(*E), *n, 12, 12);
-      copy_motion(values, one.wheelset.flexible.data(), 3, 3, element.units);
-      copy_motion(values + 6, one.wheelset.flexible.data() + 6, 3, 3, element.units);
+      copy_motion(values, problem.one.wheelset.flexible.data(), 3, 3, element.units);
+      copy_motion(values + 6, problem.one.wheelset.flexible.data() + 6, 3, 3, element.units);
     });
 }

@@ -4,8 +4,8 @@
 #include <wheelrail/halfspace/subsurface.h>
 
 #include <array>
+#include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -85,9 +85,13 @@ namespace wheelrail
   struct CallFor
   {
     const char *name;       ///< of the function
+    const int  *ire, *icp;  ///< result element and contact problem
     int         module = 0; ///< 0: both
     bool        result = false;
   };
+
+  /// The contact problem of wheel and rail.
+  constexpr int whole = -1;
 
   /// A sentence into the file of the library, OUTDIR/NAME.out, and on the error stream.
   void
@@ -114,29 +118,46 @@ namespace wheelrail
 
     const void   *pointer;
     const double *numbers = nullptr;
-    int           count   = 1;
+    std::size_t   count   = 1;
+    void         *cleared = nullptr; ///< results that are 0 where the function fails
+    std::size_t   bytes   = 0;       ///< of those
   };
 
-  /// An array, which may be null where its length is not positive.
+  /// An array of n times `each` numbers, which may be null where n is not positive.
   CallArgument
-  when(const int *n, CallArgument array);
+  when(const int *n, CallArgument array, std::size_t each = 1);
+
+  /// A result that is 0 where the function fails.
+  template <typename Number>
+  CallArgument
+  cleared(Number *result)
+  {
+    CallArgument one(result);
+    one.cleared = result;
+    one.bytes   = sizeof(Number);
+    return one;
+  }
+
+  /// The same of an array.
+  CallArgument
+  cleared(const int *n, double *results);
 
   /// Says which function has an argument that is a null pointer or holds a number that is not finite, if it
   /// has one.
   bool
-  faulty(const char *function, std::initializer_list<CallArgument> arguments);
+  faulty(const char *function, const std::vector<CallArgument> &arguments);
 
   /// A text of the caller, of a path's length at most, without blanks behind it.
   std::string
   call_text(const char *text, int length);
 
-  /// Does `work` with the contact problem icp of a result element. A problem is made where a function that
-  /// sets values first names it; module 1 has the one problem -1. Where there is no such element or problem,
-  /// the module is another, a result is missing, or `work` throws, says so and returns an error code, else 0.
+  /// Does `work` with the contact problem of a result element. A problem is made where a function that
+  /// sets values first names it; module 1 has the one problem `whole`. Where an argument is faulty(), says so
+  /// and returns call_error::input; where there is no such element or problem, the module is another, a
+  /// result is missing, or `work` throws, call_error::element; else 0.
   int
   with_problem(const CallFor                                           &call,
-               int                                                      ire,
-               int                                                      icp,
+               const std::vector<CallArgument>                         &arguments,
                const std::function<void(CallElement &, CallProblem &)> &work);
 
   /// Computes the contact: 0, a code of call_error, or the number of elements at the edge of the grid that
