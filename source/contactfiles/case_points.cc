@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contactfiles/case_points.h>
+#include <wheelrail/halfspace/subsurface_layers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,21 @@ namespace wheelrail
         if (i < 1 || i > elements)
           throw InputError("points below the surface: the index " + std::to_string(i) +
                            " lies outside of the grid, which has 1 to " + std::to_string(elements));
+      return list;
+    }
+
+    /// The elements, from 0 on, in whose centres places lie; none where one lies beside them.
+    std::vector<std::size_t>
+    centres(const std::vector<double> &places, const double first, const double step, const int elements)
+    {
+      std::vector<std::size_t> list;
+      for (const double place : places)
+        {
+          const double k = (place - first) / step, whole = std::round(k);
+          if (!(whole >= 0 && whole < elements && std::abs(k - whole) < 1e-6))
+            return {};
+          list.push_back(std::size_t(whole));
+        }
       return list;
     }
 
@@ -89,24 +105,45 @@ namespace wheelrail
       for (const double y : block.y)
         for (const double z : block.z)
           result.push_back({x, y, z, {}, {}});
-    for (const auto side : {HalfspaceSide::body1, HalfspaceSide::body2})
+    const auto body = [&](const std::size_t index) {
+      return HalfspaceBody{megapascal * material.shear[index], material.poisson[index]};
+    };
+    const auto columns         = centres(block.x, solution.grid.x0, solution.grid.dx, solution.grid.mx),
+               rows            = centres(block.y, solution.grid.y0, solution.grid.dy, solution.grid.my);
+    constexpr std::size_t many = 100; // from so many places on transforms cost less than sums
+    if (block.x.size() * block.y.size() >= many && !columns.empty() && !rows.empty())
       {
-        const std::size_t index  = side == HalfspaceSide::body1 ? 0 : 1;
-        const auto        inside = [&](const PointStress &point) { return (point.z < 0) == (index == 1); };
-        std::vector<SubsurfacePoint> points;
-        for (const PointStress &point : result)
-          if (inside(point))
-            points.push_back({point.x, point.y, std::abs(point.z)});
-        const HalfspaceBody                body{megapascal * material.shear[index], material.poisson[index]};
-        const std::vector<HalfspaceStress> stresses = subsurface_stresses(solution, body, side, points);
-        std::size_t                        next     = 0;
-        for (PointStress &point : result)
-          if (inside(point))
-            {
-              point.stress    = stresses[next++];
-              point.principal = principal_stresses(point.stress);
-            }
+        SubsurfaceLayers layers(solution, body(0), body(1));
+        for (std::size_t k = 0; k < block.z.size(); ++k)
+          {
+            const LayerStresses layer    = layers.at(std::abs(block.z[k]));
+            const auto         &stresses = block.z[k] < 0 ? layer.body2 : layer.body1;
+            std::size_t         next     = k;
+            for (const std::size_t i : columns)
+              for (const std::size_t j : rows)
+                {
+                  result[next].stress = stresses[i + std::size_t(solution.grid.mx) * j];
+                  next += block.z.size();
+                }
+          }
       }
+    else
+      for (const auto side : {HalfspaceSide::body1, HalfspaceSide::body2})
+        {
+          const std::size_t index  = side == HalfspaceSide::body1 ? 0 : 1;
+          const auto        inside = [&](const PointStress &point) { return (point.z < 0) == (index == 1); };
+          std::vector<SubsurfacePoint> points;
+          for (const PointStress &point : result)
+            if (inside(point))
+              points.push_back({point.x, point.y, std::abs(point.z)});
+          const auto  stresses = subsurface_stresses(solution, body(index), side, points);
+          std::size_t next     = 0;
+          for (PointStress &point : result)
+            if (inside(point))
+              point.stress = stresses[next++];
+        }
+    for (PointStress &point : result)
+      point.principal = principal_stresses(point.stress);
     return result;
   }
 
