@@ -121,7 +121,7 @@ def compare_case(ours, theirs):
     load = math.sqrt(sum(head.get(key, 0) ** 2 for key in ("FX(TR)", "FY(TR)", "FZ(TR)")))
     worst = {key: off(ours["head"][key], head[key], 5e-3 * load)
              for key in head if key.startswith("F") and key in ours["head"] and load > 0}
-    if "Z_WS" in head and "Z_WS" in ours["head"]:
+    if "Z_WS" in head and "Z_WS" in ours["head"] and theirs["digits"].get("NORM") == 1: # else it is given
         worst["Z_WS"] = off(ours["head"]["Z_WS"], head["Z_WS"], 5e-3 * max(
             [p.get("APPROACH", 0) for p in theirs["patches"]] + [2e-2]))
     for a, b in zip(ours["patches"], theirs["patches"]):

@@ -7,6 +7,7 @@
 #include "messages.h"
 #include "reference_table.h"
 
+#include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/gap_search.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
@@ -23,6 +24,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace wheelrail;
@@ -138,6 +140,84 @@ namespace
       "it slides across without rolling");
   }
 
+  /// A rail on springs (F = 3) stands where they carry what the wheel presses it with, as a rail stands that
+  /// is held there; the left one in a mirror.
+  void
+  test_springs(ContactCase one)
+  {
+    one.digits.forces        = 3;
+    one.track.springs        = {100, 30, 150, -180}; // KYRAIL FYRAIL KZRAIL FZRAIL
+    one.track.deviation_line = 1;
+    const auto solved        = [](const ContactCase &asked) {
+      const CaseResult result = solve_cases({asked}).front();
+      check(result.refused.empty() && result.wheel_rail->not_reached.empty(), "a rail on springs: solved");
+      return *result.wheel_rail;
+    };
+    const WheelRailCase loaded = solved(one);
+    check_relative(loaded.force_track[2], 237, 1e-5, "a rail on springs carries FZ");
+    check_relative(
+      1e3 * 100 * loaded.deflection[1], loaded.force_track[1] + 30, 1e-3, "KYRAIL dy = FY + FYRAIL");
+    check_near(loaded.deflection[2], 0, 1e-15, "KZRAIL does not count where FZ is given");
+
+    one.digits.normal        = 0;
+    one.wheelset.position[2] = 0.1;
+    const WheelRailCase bent = solved(one);
+    const Vector3       down = bent.deflection;
+    check_relative(
+      1e3 * 100 * down[1], bent.force_track[1] + 30, 1e-3, "at a height: KYRAIL dy = FY + FYRAIL");
+    check_relative(1e3 * 150 * down[2], bent.force_track[2] - 180, 1e-4, "KZRAIL dz = FZ + FZRAIL");
+    check_near(1e3 * bent.height, 0.1, 1e-12, "and the height given");
+    ContactCase held         = one;
+    held.digits.forces       = 0;
+    held.track.deviation[0]  = 1e3 * down[1];
+    held.track.deviation[1]  = 1e3 * down[2];
+    const WheelRailCase same = solved(held);
+    check_relative(bent.force_track[2], same.force_track[2], 1e-5, "as a rail that is held there");
+    for (const std::size_t k : {0, 1, 2})
+      check_near(bent.patches.at(0).in_track[k], same.patches.at(0).in_track[k], 1e-9, "at the same place");
+    check_relative(bent.patches[0].creepage, same.patches[0].creepage, 1e-5, "with the same creepage");
+
+    check(
+      printed_blocks({one}, {{{}, {}, bent}}).find(" MASSLESS RAIL DEFLECTION\n     KY_RAIL     DY_DEFL") !=
+        std::string::npos,
+      "printed: the deflection");
+    ContactCase left = one;
+    left.digits.side = 0;
+    for (double *value : {&left.track.springs[1], &left.wheelset.position[4], &left.wheelset.flexible[3]})
+      *value = -*value;
+    compare_sides(bent, solved(left));
+
+    one.track.springs[2] = 0;
+    test::check_text(test::message_of([&] { check_case(one, nullptr); }),
+                     "ball.inp:1: KYRAIL or KZRAIL, the stiffness of a spring, is not positive",
+                     "a spring without stiffness");
+    one.track.springs.clear();
+    test::check_text(
+      test::message_of([&] { check_case(one, nullptr); }),
+      "ball.inp:7: no case has stated the springs of the rail, which F = 3 needs; set Z = 2 or 3 "
+      "and state them",
+      "no springs");
+    one.track.springs         = {100, 30, 150, 1e6};
+    const WheelRailCase apart = solved(one);
+    check(apart.patches.empty(), "springs that pull the rail away");
+    check_relative(1e3 * 150 * apart.deflection[2], 1e6, 1e-6, "bend by what pulls");
+    for (const auto &[digit, value, said] :
+         {std::tuple{&ControlDigits::motion,
+                     2,
+                     "F = 3 (rail on springs) with T = 2 is not computed; taken is T = 3 "
+                     "(steady rolling)"},
+          std::tuple{&ControlDigits::side,
+                     5,
+                     "F = 3 (rail on springs) on rollers or slices is not computed; taken "
+                     "are rails of one section"}})
+      {
+        ContactCase other   = one;
+        other.digits.*digit = value;
+        test::check_text(
+          solve_cases({other}).front().refused.at(0), "ball.inp:6: " + std::string(said), said);
+      }
+  }
+
   /// Discs without flange in two columns, z down and up: both ends rise from the middle; a flange hangs down.
   void
   test_orientation()
@@ -203,6 +283,15 @@ namespace
       refusal(" -1 0 0 0               GAUGHT", " -1 0 0 0 1e-6 GAUGHT"),
       "x.inp:13: CURV other than 0 (a curved track) is not computed; taken are straight tracks",
       "a curve");
+    test::check_text(
+      refusal("'flat.prw' 0 1 0", "'flat.prw' 0 1 -1"),
+      "x.inp:17: SMOOTH below 0 is not computed; taken are 0 (no smoothing) and positive weights",
+      "a negative weight");
+    test::check_text(
+      refusal("'flat.prw' 0 1 0", "'flat.prw' 0 1 2 0 1\n 1 150d 30d 6d 2"),
+      "x.inp:17: ISMOOTH = 1 (SMOOTH as the length of a filter) is not computed; taken is ISMOOTH = "
+      "0 (a smoothing spline)",
+      "a filter");
   }
 
   /// A wheel that leans and has yaw comes nearest beside its axle: over a roller less far, by the radii.
@@ -258,6 +347,7 @@ main()
                            "     SPINXO      SPINYO\n        0.1303       8.721\n"})
     check(printed.find(part) != std::string::npos, std::string("printed: ") + part);
   test_at_rest(cases[0]);
+  test_springs(cases[0]);
   test_orientation();
   test_refusals();
   return test::report();

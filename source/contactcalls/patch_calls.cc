@@ -60,7 +60,7 @@ namespace
   }
 
   /// Places of a patch and of its bodies, in the order of CONTACT; lengths [m], y to the right. Nothing
-  /// stands for rails that give way and for the arc along the wheel.
+  /// stands for the arc along the wheel.
   std::array<double, 38>
   locations(const CallProblem &problem, const WheelRailPatch &patch)
   {
@@ -84,9 +84,13 @@ namespace
     put(15,
         {track[0] + centre[0] - patch.origin_x,
          track[1] + (centre[1] - patch.origin_y) * std::cos(patch.angle)});
+    const Vector3 &given_way = problem.wheel_rail->deflection; // of a rail on springs
+    put(18, {given_way[1], given_way[2]});
     put(21, {wheel.move[0], side * wheel.move[1], wheel.move[2]});
     put(24, {side * roll_of(wheel), side * yaw_of(wheel)});
-    put(26, {side * pose.rail.move[1], pose.rail.move[2], side * roll_of(pose.rail)});
+    put(
+      26,
+      {side * pose.rail.move[1] + given_way[1], pose.rail.move[2] + given_way[2], side * roll_of(pose.rail)});
     put(30, {in_set[0], side * in_set[1], in_set[2], patch.angle - side * roll_of(set)});
     put(34, {pose.wheel.move[0], side * pose.wheel.move[1], pose.wheel.move[2]});
     put(37, {side * roll_of(pose.wheel), side * yaw_of(pose.wheel)});

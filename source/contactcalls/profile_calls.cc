@@ -85,7 +85,11 @@ namespace
     const std::vector<double> places = sampled(line, sampling, spacing);
     WheelRailPose             pose   = wheel_rail_pose(one, rail.middle());
     if (problem.wheel_rail)
-      pose.height = problem.wheel_rail->height;
+      {
+        pose.height              = problem.wheel_rail->height;
+        const Vector3 &given_way = problem.wheel_rail->deflection; // of a rail on springs
+        add(pose.rail.move, 1, {0, (pose.left ? -1 : 1) * given_way[1], given_way[2]});
+      }
     const double        side = pose.left ? -1 : 1; // lines and pose are those of the right-hand side
     std::vector<double> values, heights;
     const RigidMotion   to_track = wheel ? pose.wheel_to_track() : pose.rail;

@@ -49,6 +49,7 @@ namespace wheelrail
         {d.side >= 4, "rollers; taken are rails"},
         {is_slices_file(one.track.profile.file) || is_slices_file(w.profile.file),
          "slices; taken are profiles of one section"},
+        {d.forces == 3, "rails on springs; taken are F = 0 and 1"},
         {d.motion != 3, "a motion other than steady rolling; taken is T = 3"},
         {d.bound != 0, "normal springs; taken is B = 0"},
         {d.variation == 1, "friction by inclination; taken are V = 0 and 2"},

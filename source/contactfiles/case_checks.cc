@@ -64,6 +64,19 @@ namespace wheelrail
              "no case has stated the wheelset and the profile of the wheel; set E = 3 and state them");
     }
 
+    /// A rail on springs (F = 3): KYRAIL FYRAIL KZRAIL FZRAIL; KZRAIL counts where the height is given.
+    void
+    check_springs(const ContactCase &one)
+    {
+      const std::vector<double> &springs = one.track.springs;
+      if (springs.size() < 4)
+        fail(one,
+             one.word_lines[1],
+             "no case has stated the springs of the rail, which F = 3 needs; set Z = 2 or 3 and state them");
+      if (!(springs[0] > 0) || (one.digits.normal == 0 && !(springs[2] > 0)))
+        fail(one, one.track.deviation_line, "KYRAIL or KZRAIL, the stiffness of a spring, is not positive");
+    }
+
     /// Numbers of module 1 that calls can set to anything.
     void
     check_finite(const ContactCase &one)
@@ -163,6 +176,8 @@ namespace wheelrail
       return check_basic(one, before);
     check_stated(one);
     check_finite(one);
+    if (one.digits.forces == 3)
+      check_springs(one);
     if (before && one.digits.past != 2 && (one.digits.motion == 1 || one.digits.motion == 2) &&
         (one.elements.dx != before->elements.dx || one.elements.ds != before->elements.ds))
       fail(one, one.elements.line, "DX and DS may not change where shifts and transient rolling go on");
@@ -234,8 +249,14 @@ namespace wheelrail
         add(profile.line,
             "MIRRORZ = 0 (up or down found from the points) of the slices " + name,
             "taken are -1 (z points down) and 1");
-      if (profile.smoothing != 0)
-        add(profile.line, "SMOOTH other than 0 (a smoothed profile)", "taken is SMOOTH = 0");
+      if (profile.smoothing != 0 && is_slices_file(profile.file))
+        add(profile.line, "SMOOTH other than 0 with slices", "taken is SMOOTH = 0");
+      if (profile.smoothing != 0 && profile.smoothing_method != 0)
+        add(profile.line,
+            "ISMOOTH = " + std::to_string(profile.smoothing_method) + " (SMOOTH as the length of a filter)",
+            "taken is ISMOOTH = 0 (a smoothing spline)");
+      if (profile.smoothing < 0)
+        add(profile.line, "SMOOTH below 0", "taken are 0 (no smoothing) and positive weights");
     }
 
     template <typename Add>
@@ -256,6 +277,14 @@ namespace wheelrail
             "taken are T = 0 and 3");
       if ((slices || out_of_round || d.side >= 4) && d.grid == 4)
         add(one.word_lines[1], "D = 4 (conformal) on rollers or slices", "taken are D = 2 and 5");
+      if (d.forces == 3 && d.motion != 3)
+        add(one.word_lines[0],
+            "F = 3 (rail on springs) with T = " + std::to_string(d.motion),
+            "taken is T = 3 (steady rolling)");
+      if (d.forces == 3 && (slices || d.side >= 4))
+        add(one.word_lines[0],
+            "F = 3 (rail on springs) on rollers or slices",
+            "taken are rails of one section");
       if (slices && d.side >= 4)
         add(one.track.profile.line, "a roller by slices", "taken are profiles of one section");
       if (slices && one.track.gauge_height > 0)
@@ -265,8 +294,6 @@ namespace wheelrail
         add(one.material.line,
             "TAU_C0 > 0 (an interfacial layer that yields) with T = " + std::to_string(d.motion),
             "taken are T = 3 and TAU_C0 = 0");
-      if (d.material == 2 || d.material == 3)
-        add(one.word_lines[1], "M = " + std::to_string(d.material) + " (FASTSIM)", "taken is module 3");
       if (one.track.curvature != 0)
         add(one.track.line, "CURV other than 0 (a curved track)", "taken are straight tracks");
       if (!one.wheelset.tape_place.empty())

@@ -196,6 +196,15 @@ namespace wheelrail
         lines += printed_block("RAIL IRREGULARITY",
                                "     DYRAIL      DZRAIL      DROLLR      VYRAIL      VZRAIL      VROLLR",
                                Row(t.deviation.begin(), t.deviation.end()));
+      if (one.digits.forces == 3)
+        lines += printed_block("MASSLESS RAIL DEFLECTION",
+                               "     KY_RAIL     DY_DEFL     FY_RAIL     KZ_RAIL     DZ_DEFL     FZ_RAIL",
+                               {t.springs[0],
+                                solved.deflection[1] / millimetre,
+                                t.springs[1],
+                                t.springs[2],
+                                solved.deflection[2] / millimetre,
+                                t.springs[3]});
       if (one.written.extra == 3 || one.written.extra == 5)
         lines += profile_lines("WHEEL", w.profile);
       lines += text(

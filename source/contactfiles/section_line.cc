@@ -15,6 +15,7 @@ namespace wheelrail
 {
   namespace
   {
+    constexpr double same = 1e-7; ///< distance of points that count as one [m]
 
     double
     value(const std::array<double, 4> &c, const double u)
@@ -49,7 +50,6 @@ namespace wheelrail
   {
     if (!points.empty() && points.front().x > points.back().x)
       std::reverse(points.begin(), points.end());
-    constexpr double same = 1e-7; // [m]
     points.erase(std::unique(points.begin(),
                              points.end(),
                              [](const Point2 &a, const Point2 &b) { return norm(a - b) < same; }),
@@ -238,23 +238,77 @@ namespace wheelrail
   } // namespace
 
 
+  namespace
+  {
+    /// Points on smoothing splines over the chord length between kinks, which weigh a hundred times as much
+    /// as others, as CONTACT lays them (ISMOOTH = 0). lambda in m3.
+    std::vector<Point2>
+    smoothed_points(const std::vector<Point2> &given, const double lambda)
+    {
+      std::vector<Point2> points;
+      std::vector<double> places;
+      for (const Point2 &p : given)
+        {
+          const double step = points.empty() ? 0 : norm(p - points.back());
+          if (!points.empty() && step < same)
+            continue;
+          places.push_back(points.empty() ? 0 : places.back() + step);
+          points.push_back(p);
+        }
+      std::vector<std::size_t> ends = find_kinks(points, std::vector<double>(points.size(), 0.));
+      std::vector<double>      weights(points.size(), 1.);
+      for (const std::size_t k : ends)
+        weights[k] = 100;
+      ends.push_back(points.size() - 1);
+      std::vector<Point2> smooth = points;
+      std::size_t         first  = 0;
+      for (const std::size_t last : ends)
+        {
+          std::vector<double> s, w, y, z;
+          for (std::size_t k = first; k <= last; ++k)
+            {
+              s.push_back(places[k]);
+              w.push_back(weights[k]);
+              y.push_back(points[k].x);
+              z.push_back(points[k].y);
+            }
+          y = smoothed_values(s, y, w, lambda);
+          z = smoothed_values(s, z, w, lambda);
+          for (std::size_t k = first; k <= last; ++k)
+            smooth[k] = {y[k - first], z[k - first]};
+          first = last;
+        }
+      return smooth;
+    }
+
+    std::vector<Point2>
+    given_points(const ContactProfile &profile, const bool wheel)
+    {
+      std::vector<Point2> points;
+      if (!profile.points.empty())
+        {
+          for (const auto &[y, z] : profile.points)
+            points.push_back({profile.scale * millimetre * (profile.mirror_y == 1 ? -1 : 1) * y,
+                              profile.scale * millimetre * (profile.mirror_z == 1 ? -1 : 1) * z});
+          return points;
+        }
+      const FileContent content = parse_profile_text(read_whole_file(profile.file), profile.file);
+      const double      unit    = content.metres_per_unit > 0 ? content.metres_per_unit : millimetre;
+      const bool turned = profile.mirror_z == 1 || (profile.mirror_z == 0 && points_up(content, wheel));
+      for (const FilePoint &p : content.points)
+        points.push_back({profile.scale * unit * (profile.mirror_y == 1 ? -1 : 1) * p.position.x,
+                          profile.scale * unit * (turned ? -1 : 1) * p.position.y});
+      return points;
+    }
+  } // namespace
+
+
   std::vector<Point2>
   section_points(const ContactProfile &profile, const bool wheel)
   {
-    std::vector<Point2> points;
-    if (!profile.points.empty())
-      {
-        for (const auto &[y, z] : profile.points)
-          points.push_back({profile.scale * millimetre * (profile.mirror_y == 1 ? -1 : 1) * y,
-                            profile.scale * millimetre * (profile.mirror_z == 1 ? -1 : 1) * z});
-        return points;
-      }
-    const FileContent content = parse_profile_text(read_whole_file(profile.file), profile.file);
-    const double      unit    = content.metres_per_unit > 0 ? content.metres_per_unit : millimetre;
-    const bool        turned  = profile.mirror_z == 1 || (profile.mirror_z == 0 && points_up(content, wheel));
-    for (const FilePoint &p : content.points)
-      points.push_back({profile.scale * unit * (profile.mirror_y == 1 ? -1 : 1) * p.position.x,
-                        profile.scale * unit * (turned ? -1 : 1) * p.position.y});
+    std::vector<Point2> points = given_points(profile, wheel);
+    if (profile.smoothing > 0 && points.size() >= 4)
+      return smoothed_points(points, profile.smoothing * std::pow(millimetre, 3));
     return points;
   }
 

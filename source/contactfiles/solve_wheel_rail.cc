@@ -25,11 +25,14 @@ namespace wheelrail
         , rail_(one)
         , wheel_(one)
         , pose_(wheel_rail_pose(one, rail_.middle()))
+        , asked_(pose_.height)
         , patches_(one, rail_, wheel_, pose_, before ? &before_ : nullptr)
         , start_(start)
         , kernels_(start.kernels)
       {
         touching_ = 1;
+        if (one.digits.forces == 3 && one.digits.normal == 0)
+          spring_ = one.track.springs[2] / millimetre;
         if (meshed())
           {
             mesh_ =
@@ -54,16 +57,20 @@ namespace wheelrail
         WheelRailCase result;
         if (touching_ >= 1)
           result.not_reached = "Wheel and rail lie beside each other. ";
-        else if (one_.digits.normal == 0)
+        else if (one_.digits.normal == 0 && spring_ == 0)
           {
             guess_ = at(pose_.height, false);
             result = at(pose_.height, true);
           }
+        else if (spring_ > 0 && wanted(touching_) <= 0) // it holds the rail below the wheel
+          result = at(asked_ - one_.track.springs[3] / spring_, true);
         else if (one_.digits.forces != 1)
           result = carry(first_height());
         else
           result = drive();
         result.touching = touching_;
+        if (spring_ > 0)
+          take_down(asked_ - result.height, result);
         if (pose_.left)
           mirror(result);
         start_.kernels = kernels_;
@@ -78,10 +85,23 @@ namespace wheelrail
         return (rail_.varies() && !(pose_.roller && one_.digits.grid != 5)) || wheel_.out_of_round();
       }
 
+      /// The vertical force asked for at a height over the rail: FZ or, of a rail on springs under a wheelset
+      /// of given height, what bends the spring so far [N].
       double
-      wanted() const
+      wanted(const double height) const
       {
-        return one_.wheelset.position[2];
+        return spring_ > 0 ? spring_ * (asked_ - height) - one_.track.springs[3] : one_.wheelset.position[2];
+      }
+
+      /// The rail, and the contact with it, have gone down by so much.
+      static void
+      take_down(const double down, WheelRailCase &result)
+      {
+        result.height += down;
+        result.touching += down;
+        result.deflection[2] = down;
+        for (WheelRailPatch &patch : result.patches)
+          patch.in_track[2] += down;
       }
 
       /// What a height of the wheelset gives; without friction where it is not to roll.
@@ -121,7 +141,7 @@ namespace wheelrail
       double
       first_height()
       {
-        const double E = contact_modulus_of_case(), F = wanted();
+        const double E = contact_modulus_of_case(), F = wanted(touching_);
         if (start_.guess && !start_.guess->patches.empty() && start_.guess->height > start_.guess->touching)
           {
             guess_ = *start_.guess;
@@ -167,8 +187,8 @@ namespace wheelrail
             here                = at(height, true);
             guess_              = here;
             const double Fz     = here.force_track[2];
-            const double missed = Fz - wanted();
-            if (std::abs(missed) < enough * wanted())
+            const double missed = Fz - wanted(height);
+            if (std::abs(missed) < enough * std::abs(wanted(height)))
               return here;
             (missed < 0 ? low : high) = height;
             if (k > 0 && height != before)
@@ -177,13 +197,13 @@ namespace wheelrail
                 slope_ = s;
             before       = height;
             force_before = Fz;
-            height -= missed / slope_;
+            height -= missed / (slope_ + spring_);
             if (!(height > low && height < high))
               height = 0.5 * (low + std::min(high, low + 2e-3));
             if (high - low < 1e-12)
               break;
           }
-        if (std::abs(here.force_track[2] - wanted()) > 1e-4 * wanted())
+        if (std::abs(here.force_track[2] - wanted(here.height)) > 1e-4 * std::abs(wanted(here.height)))
           here.not_reached += "The height that carries FZ was not found. ";
         return here;
       }
@@ -205,10 +225,11 @@ namespace wheelrail
             here = carry(here.height);
           }
         constexpr double enough = 1e-5; // of the load
+        const double     load   = wanted(height);
         double           missed = here.force_wheelset[0] - F, step = 1e-4 * std::abs(rate), low = 0, high = 0;
         bool             has_low = false, has_high = false;
         double           at_low = 0, at_high = 0;
-        for (int k = 0; k < 60 && std::abs(missed) > enough * wanted(); ++k)
+        for (int k = 0; k < 60 && std::abs(missed) > enough * load; ++k)
           {
             // the force grows with the rate
             if (missed < 0)
@@ -238,7 +259,7 @@ namespace wheelrail
             here   = carry(here.height);
             missed = here.force_wheelset[0] - F;
           }
-        if (std::abs(missed) > 1e-3 * wanted())
+        if (std::abs(missed) > 1e-3 * load)
           here.not_reached += "Friction does not carry FX_WS. ";
         return here;
       }
@@ -247,22 +268,72 @@ namespace wheelrail
       RailShape                                      rail_;
       WheelShape                                     wheel_;
       WheelRailPose                                  pose_;
-      std::vector<GapPlace>                          gaps_; ///< where the rail is one section all along
-      GapMesh                                        mesh_; ///< else
+      double                                         asked_;      ///< height given (N = 0) [m]
+      double                                         spring_ = 0; ///< KZRAIL where it counts [N/m]
+      std::vector<GapPlace>                          gaps_;       ///< where the rail is one section all along
+      GapMesh                                        mesh_;       ///< else
       PatchSolver                                    patches_;
       double                                         touching_ = 0, slope_ = 0;
       WheelRailCase                                  before_, guess_;
       WheelRailStart                                &start_;
       std::vector<std::shared_ptr<HalfspaceKernels>> kernels_;
     };
+
+
+    /// A rail on springs (F = 3) stands where FY(dy) + FYRAIL = KYRAIL dy, the lateral force on the rail at
+    /// the place across that it has moved to. The force falls with dy: by false position (Illinois).
+    WheelRailCase
+    solve_on_springs(const ContactCase &one, WheelRailStart &start)
+    {
+      const double  stiffness = one.track.springs[0], pull = one.track.springs[1];
+      ContactCase   moved = one;
+      WheelRailCase here;
+      const auto    missed = [&](const double across) { // [mm], [N]
+        moved.track.deviation[0] = one.track.deviation[0] + across;
+        here                     = CaseSolver(moved, nullptr, start).run();
+        here.deflection[1]       = millimetre * across;
+        start.guess              = &here;
+        return here.force_track[1] + pull - stiffness * across;
+      };
+      const WheelRailCase *const given  = start.guess;
+      const auto                 enough = [&](const double r) {
+        return std::abs(r) < 1e-5 * std::max(std::abs(here.force_track[2]), std::abs(pull));
+      };
+      double a = 0, at_a = missed(a), b = a, at_b = at_a, step = at_a > 0 ? 1 : -1;
+      while (at_a * at_b > 0 && std::abs(step) < 1e3)
+        {
+          a    = b;
+          at_a = at_b;
+          at_b = missed(b = a + step);
+          step *= 2;
+        }
+      for (int k = 0; k < 60 && !enough(at_b) && std::abs(b - a) > 1e-9; ++k)
+        {
+          const double c = b - at_b * (b - a) / (at_b - at_a), at_c = missed(c);
+          if (at_c * at_b < 0)
+            {
+              a    = b;
+              at_a = at_b;
+            }
+          else
+            at_a *= 0.5;
+          b    = c;
+          at_b = at_c;
+        }
+      start.guess = given;
+      if (!enough(at_b))
+        here.not_reached += "The place across at which the springs hold the rail was not found. ";
+      return here;
+    }
   } // namespace
 
 
   WheelRailCase
   solve_wheel_rail(const ContactCase &one, const WheelRailCase *before, WheelRailStart &start)
   {
-    WheelRailCase result = CaseSolver(one, before, start).run();
-    result.along         = millimetre * one.wheelset.position[0];
+    WheelRailCase result =
+      one.digits.forces == 3 ? solve_on_springs(one, start) : CaseSolver(one, before, start).run();
+    result.along = millimetre * one.wheelset.position[0];
     return result;
   }
 

@@ -49,6 +49,53 @@ namespace wheelrail
   }
 
 
+  std::vector<double>
+  smoothed_values(const std::vector<double> &places,
+                  const std::vector<double> &values,
+                  const std::vector<double> &weights,
+                  const double               lambda)
+  {
+    const std::size_t n = places.size();
+    if (n < 3)
+      return values;
+    const auto h = [&](const std::size_t k) { return places[k + 1] - places[k]; };
+    // second differences Q'; second derivatives g of f follow from (R + lambda Q' W^-1 Q) g = Q' values
+    const auto q = [&](const std::size_t k, const std::size_t i) {
+      return i + 1 == k ? 1 / h(k - 1) : i == k + 1 ? 1 / h(k) : i == k ? -1 / h(k - 1) - 1 / h(k) : 0;
+    };
+    const auto entry = [&](const std::size_t k, const std::size_t l) { // l from k to k + 2
+      double sum = l == k ? (h(k - 1) + h(k)) / 3 : l == k + 1 ? h(k) / 6 : 0;
+      for (std::size_t i = l - 1; i <= k + 1; ++i)
+        sum += lambda * q(k, i) * q(l, i) / weights[i];
+      return sum;
+    };
+    // L D L' of the matrix, which has two bands beside its diagonal
+    std::vector<double> g(n, 0.), diagonal(n, 0.), one(n, 0.), two(n, 0.);
+    for (std::size_t k = 1; k + 1 < n; ++k)
+      {
+        diagonal[k] = entry(k, k) - one[k - 1] * one[k - 1] * diagonal[k - 1];
+        g[k]        = q(k, k - 1) * values[k - 1] + q(k, k) * values[k] + q(k, k + 1) * values[k + 1] -
+               one[k - 1] * g[k - 1];
+        if (k > 2)
+          {
+            diagonal[k] -= two[k - 2] * two[k - 2] * diagonal[k - 2];
+            g[k] -= two[k - 2] * g[k - 2];
+          }
+        if (k + 2 < n)
+          one[k] = (entry(k, k + 1) - one[k - 1] * two[k - 1] * diagonal[k - 1]) / diagonal[k];
+        if (k + 3 < n)
+          two[k] = entry(k, k + 2) / diagonal[k];
+      }
+    for (std::size_t k = n - 2; k > 0; --k)
+      g[k] = g[k] / diagonal[k] - one[k] * g[k + 1] - (k + 2 < n ? two[k] * g[k + 2] : 0);
+    std::vector<double> smooth = values;
+    for (std::size_t k = 1; k + 1 < n; ++k)
+      for (std::size_t i = k - 1; i <= k + 1; ++i)
+        smooth[i] -= lambda * q(k, i) * g[k] / weights[i];
+    return smooth;
+  }
+
+
   CubicSpline::CubicSpline(std::vector<double> places, std::vector<double> values)
     : places_(std::move(places))
     , values_(std::move(values))

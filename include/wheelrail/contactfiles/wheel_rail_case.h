@@ -51,6 +51,7 @@ namespace wheelrail
     double                      pitch_rate = 0; ///< VPITCH [rad/s]
     double                      along      = 0; ///< S_WS [m]
     double                      touching   = 0; ///< Z_WS at which wheel and rail first touch [m]
+    Vector3                     deflection{};   ///< of a rail on springs (F = 3), in the track [m]
     Vector3                     force_track{}, force_wheelset{}; ///< sums over the patches
     std::vector<WheelRailPatch> patches;                         ///< from the field side to the track centre
     std::string                 refused;     ///< a sentence: what the case turns out to need; else empty

@@ -17,6 +17,14 @@ namespace wheelrail
   std::vector<double>
   second_derivatives(const std::vector<double> &places, const std::vector<double> &values, SplineEnds ends);
 
+  /// Values at the places of the natural cubic spline f that makes sum(weight (value - f)^2) + lambda times
+  /// the integral of f''^2 least (Reinsch 1967); places ascend.
+  std::vector<double>
+  smoothed_values(const std::vector<double> &places,
+                  const std::vector<double> &values,
+                  const std::vector<double> &weights,
+                  double                     lambda);
+
   /// An interpolating cubic spline through four or more points, with SplineEnds::not_a_knot.
   class CubicSpline
   {
