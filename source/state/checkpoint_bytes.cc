@@ -2,7 +2,6 @@
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/state/checkpoint.h>
 
-#include <cstdint>
 #include <map>
 #include <sstream>
 #include <type_traits>
@@ -192,39 +191,14 @@ namespace wheelrail
       return parts;
     }
 
-    /// Formats before 7 have the axle's numbers beside those of the run; what the oldest lack stays zero.
-    std::map<std::string, PartState>
-    read_former_axle(const hid_t file)
-    {
-      PartState axle;
-      for (const char *name : {"height",
-                               "lift",
-                               "vertical_speed",
-                               "angle",
-                               "pitch_rate",
-                               "travelled",
-                               "sprung_height",
-                               "sprung_speed",
-                               "damped",
-                               "torque_work",
-                               "hold_work",
-                               "load_work"})
-        axle.numbers[name] = has_attribute(file, name) ? read_number_attribute(file, name) : 0;
-      return {{"axle", axle}};
-    }
-
-    constexpr int first_with_parts = 7, first_with_wear = 8, first_with_keys = 11; ///< formats
-
-    /// Files say their format from 7 on; throws RunError for a newer one than this program knows.
-    int
-    read_format(const hid_t file)
+    /// Files say their format from 7 on; throws RunError for another one than that of this program.
+    void
+    check_format(const hid_t file)
     {
       const int format = has_attribute(file, "format") ? int(read_number_attribute(file, "format")) : 6;
-      if (format > checkpoint_format)
+      if (format != checkpoint_format)
         throw RunError("it is of format " + std::to_string(format) +
-                       ", this version of the program reads formats up to " +
-                       std::to_string(checkpoint_format));
-      return format;
+                       ", this version of the program reads format " + std::to_string(checkpoint_format));
     }
 
     // --- values by number: the rows of a dataset, in a group that names them ---
@@ -253,15 +227,6 @@ namespace wheelrail
           v.components      = rows > 0 ? v.values.size() / rows : 1;
         }
       return all;
-    }
-
-    /// Keys of rows, or as many places for them as a file without keys has rows.
-    std::vector<std::uint64_t>
-    read_rows(const hid_t file, const std::string &name, const bool has_keys)
-    {
-      return has_keys
-               ? read_keys(file, name)
-               : std::vector<std::uint64_t>(static_cast<std::size_t>(read_number_attribute(file, name)));
     }
   } // namespace
 
@@ -307,27 +272,24 @@ namespace wheelrail
     const Quiet  quiet;
     const Handle file(open_in_memory(bytes), H5Fclose, "read it");
     Checkpoint   checkpoint;
-    const int    format   = read_format(file);
+    check_format(file);
     checkpoint.parameters = read_text(file, "parameters");
     visit_numbers(checkpoint, [&](const char *name, auto &value) {
-      if (format == checkpoint_format || has_attribute(file, name))
-        value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
+      value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
     });
-    checkpoint.has_keys    = format >= first_with_keys;
-    checkpoint.node        = read_rows(file, "nodes", checkpoint.has_keys);
-    checkpoint.cell        = read_rows(file, "cells", checkpoint.has_keys);
+    checkpoint.node        = read_keys(file, "nodes");
+    checkpoint.cell        = read_keys(file, "cells");
     checkpoint.node_values = read_values(file, "node_values", checkpoint.node.size());
     checkpoint.cell_values = read_values(file, "cell_values", checkpoint.cell.size());
     for (const std::string &name : split_lines(read_text_attribute(file, "works")))
       checkpoint.works[name] = read_dataset(file, work_prefix + name);
     checkpoint.window.kept.rail  = columns_of(read_dataset(file, "rail_kept"));
     checkpoint.window.kept.wheel = columns_of(read_dataset(file, "wheel_kept"));
-    checkpoint.rolling.parts     = format < first_with_parts ? read_former_axle(file) : read_parts(file);
+    checkpoint.rolling.parts     = read_parts(file);
     checkpoint.contact.nodes     = unpack(read_dataset(file, "contact"));
     checkpoint.recorder.history  = read_table(file, "history");
     checkpoint.recorder.patches  = read_table(file, "patches");
-    if (format >= first_with_wear)
-      checkpoint.recorder.wear = read_table(file, "wear");
+    checkpoint.recorder.wear     = read_table(file, "wear");
     return checkpoint;
   }
 } // namespace wheelrail

@@ -1,11 +1,9 @@
-#include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/fetch_rows.h>
 #include <wheelrail/state/checkpoint.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -13,7 +11,6 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -84,36 +81,6 @@ namespace wheelrail
           rows.row.emplace(key, k);
         }
       return rows;
-    }
-
-    /// Gives the rows of a file without keys, those that they have when its mesh is this one as
-    /// far as it goes: both bodies' or, with another wheel, the rail's, which comes first. Collective.
-    void
-    find_former_keys(const LocalMesh &mesh, Checkpoint &whole, MPI_Comm communicator)
-    {
-      using CellKeys = std::array<std::uint64_t, 9>; // of the cell and its nodes
-      std::vector<CellKeys> own;
-      for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-        {
-          CellKeys &cell = own.emplace_back();
-          cell[0]        = mesh.cell_key[c];
-          for (unsigned int v = 0; v < 8; ++v)
-            cell[v + 1] = mesh.node_key[mesh.cells[c][v]];
-        }
-      own = gather_all(own, communicator);
-      std::sort(own.begin(), own.end());
-      std::unordered_set<std::uint64_t> known;
-      const std::size_t                 n_cells = whole.cell.size(), n_nodes = whole.node.size();
-      whole.cell.clear();
-      whole.node.clear();
-      for (const CellKeys &cell : own)
-        {
-          if (whole.cell.size() < n_cells)
-            whole.cell.push_back(cell[0]);
-          for (unsigned int v = 1; v < 9 && whole.node.size() < n_nodes; ++v)
-            if (known.insert(cell[v]).second)
-              whole.node.push_back(cell[v]);
-        }
     }
 
     /// Whether a body is the one that is asked for, or none is.
@@ -200,16 +167,8 @@ namespace wheelrail
                  MPI_Comm                  communicator,
                  const std::optional<Body> body)
   {
-    Checkpoint        former;
-    const Checkpoint *whole = &saved;
-    if (!dealii::Utilities::MPI::broadcast(communicator, saved.has_keys))
-      {
-        former = saved;
-        find_former_keys(solid.mesh, former, communicator);
-        whole = &former;
-      }
-    const SavedRows nodes = saved_rows(whole->node, whole->node_values, solid.mesh.node_key, communicator),
-                    cells = saved_rows(whole->cell, whole->cell_values, solid.mesh.cell_key, communicator);
+    const SavedRows nodes = saved_rows(saved.node, saved.node_values, solid.mesh.node_key, communicator),
+                    cells = saved_rows(saved.cell, saved.cell_values, solid.mesh.cell_key, communicator);
     const bool same =
       dealii::Utilities::MPI::min(int(fits(nodes, cells, solid, farther, body)), communicator) == 1;
     if (same)

@@ -13,8 +13,7 @@
 
 namespace wheelrail
 {
-  /// Format of saved states: counts up whenever a field is added or changes its meaning. Rails of finished
-  /// runs are read from older formats, too, running states are not.
+  /// Format of saved states: counts up whenever a field is added or changes its meaning. No other is read.
   constexpr int checkpoint_format = 11;
 
   /// What a run needs to go on after a step, beyond the model, which the scene gives anew. Either the part
@@ -33,13 +32,10 @@ namespace wheelrail
     FineWindow window;          ///< where the fine cells lie, when they move
     int        start_block = 0; ///< see SweepPlan
 
-    /// Keys of the nodes and cells that follow, of a whole one ascending. Files before format 11 have none:
-    /// they count cells by their keys, and nodes by the first cell and vertex that has them.
-    std::vector<std::uint64_t>                 node, cell;
-    bool                                       has_keys = true;
-    std::map<std::string, NumberedValues>      node_values; ///< position, displacement [m], velocity [m/s]
-    std::map<std::string, NumberedValues>      cell_values; ///< see visit_histories()
-    std::map<std::string, std::vector<double>> works; ///< energy terms that are sums: one part a rank [J]
+    std::vector<std::uint64_t>            node, cell; ///< keys of those that follow, of a whole one ascending
+    std::map<std::string, NumberedValues> node_values; ///< position, displacement [m], velocity [m/s]
+    std::map<std::string, NumberedValues> cell_values; ///< see visit_histories()
+    std::map<std::string, std::vector<double>> works;  ///< energy terms that are sums: one part a rank [J]
     int                                        ranks = 1;
 
     Contact::State  contact;
@@ -98,7 +94,7 @@ namespace wheelrail
   std::vector<char>
   checkpoint_bytes(const Checkpoint &whole);
 
-  /// Throws RunError when the bytes are no such file, or one of a newer format.
+  /// Throws RunError when the bytes are no such file, or one of another format.
   Checkpoint
   checkpoint_from_bytes(const std::string &bytes);
 } // namespace wheelrail
