@@ -5,13 +5,13 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/read_file.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
 #include <wheelrail/state/checkpoint_files.h>
 
 #include "parallel.h"
+#include "read_output.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
 

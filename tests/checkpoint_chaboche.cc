@@ -2,10 +2,10 @@
 // A rail of cyclic hardening that is stopped while it yields and goes on: the same bits, history of back
 // stresses and energies included.
 
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 
 #include "parallel.h"
+#include "read_output.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
 

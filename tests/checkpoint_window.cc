@@ -4,11 +4,11 @@
 // Runs with a moving window that are interrupted before and after a change of the mesh and go on: the same
 // bits.
 
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
 
 #include "parallel.h"
+#include "read_output.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
 

@@ -2,10 +2,10 @@
 
 #include "check.h"
 #include "messages.h"
+#include "read_output.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/patch_measures.h>
 
@@ -64,7 +64,7 @@ namespace
   void
   check_files(const Summary &s)
   {
-    const PatchFields   patch = read_patch((folder / "scene-halfspace" / "halfspace.h5").string(), 0);
+    const PatchFields   patch = test::read_patch((folder / "scene-halfspace" / "halfspace.h5").string(), 0);
     const PatchMeasures m     = measure_patch(patch);
     check_near(m.normal_force / s.normal_force, 1, 1e-6, "sum of the pressures over normal force");
     check_near(

@@ -3,12 +3,12 @@
 // A wheel with a flat that leaves the rail and comes back: force over the path against a rigid wheel on the
 // spring that its contact is at rest, and against the two masses on Hertz's spring.
 #include "parallel.h"
+#include "read_output.h"
 #include "reduced_impact.h"
 #include "silent_start.h"
 #include "stopped_runs.h"
 
 #include <wheelrail/model/model.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/run_start.h>
 

@@ -4,9 +4,9 @@
 // wheel; energy, what the history shows; smooth surfaces in files; small waves.
 #include "between_rows.h"
 #include "parallel.h"
+#include "read_output.h"
 #include "stopped_runs.h"
 
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 
 #include <algorithm>

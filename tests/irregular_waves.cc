@@ -4,10 +4,10 @@
 // a hammer, the spring of the contact, and how far the wheel sinks at rest; twice the depth, twice the force.
 #include "between_rows.h"
 #include "parallel.h"
+#include "read_output.h"
 #include "stopped_runs.h"
 
 #include <wheelrail/model/model.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/receptance/blow.h>
 #include <wheelrail/receptance/hammer_places.h>

@@ -6,9 +6,9 @@
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/model/scene_motion.h>
-#include <wheelrail/output/hdf5_file.h>
 
 #include "parallel.h"
+#include "read_output.h"
 #include "yaw_scene.h"
 
 #include <algorithm>

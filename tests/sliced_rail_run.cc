@@ -6,13 +6,13 @@
 // it.
 #include "between_rows.h"
 #include "parallel.h"
+#include "read_output.h"
 #include "slices_files.h"
 #include "stopped_runs.h"
 
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/rail_slices.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/run_state.h>
 #include <wheelrail/sections/section_contacts.h>

@@ -3,10 +3,10 @@
 // closes, very stiff pads are a clamped foot.
 
 #include "parallel.h"
+#include "read_output.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
 
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/scene/rail_bending.h>

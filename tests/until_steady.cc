@@ -4,10 +4,10 @@
 // there, and with the same bits when it is interrupted on the way; one that spins up rolls to the end and
 // says so.
 
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 
 #include "parallel.h"
+#include "read_output.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
 

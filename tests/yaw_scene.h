@@ -2,10 +2,10 @@
 
 // A wheelset with yaw on coarse cells, and its figures.
 
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 
 #include "check.h"
+#include "read_output.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
 
@@ -64,8 +64,8 @@ namespace test
     check(run(parts, true, static_cast<unsigned long>(0.8 * ended.summary.time_steps)) == 3,
           "interrupted again");
     check(run(parts, true) == 0, "gone on to the end");
-    ended.history                = wheelrail::read_history(whole.folder + "/history.h5");
-    const wheelrail::History two = wheelrail::read_history(parts.folder + "/history.h5");
+    ended.history                = read_history(whole.folder + "/history.h5");
+    const wheelrail::History two = read_history(parts.folder + "/history.h5");
     check(ended.history.columns[0].size() > 50 && ended.history.columns == two.columns,
           "the same history, bit for bit");
     return ended;

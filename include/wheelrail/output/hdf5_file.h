@@ -16,11 +16,6 @@ namespace wheelrail
   void
   write_history(const History &history, const std::string &path);
 
-  /// Reads a file of write_history() back; columns come in their original order. Throws RunError
-  /// naming the file when it is missing or no such table.
-  History
-  read_history(const std::string &path);
-
   /// Points of a patch between its nodes, on the line between stick and slip, where the shear traction is
   /// largest.
   struct SlipEdge
@@ -36,9 +31,4 @@ namespace wheelrail
   /// when a field has another length, or when the file cannot be written.
   void
   append_patch(TickFile &file, const PatchFields &patch, const SlipEdge &edge = {});
-
-  /// Reads one tick of a file of append_patch() back; `tick` counts from 0. Throws RunError naming the
-  /// file when it is missing or has no such tick.
-  PatchFields
-  read_patch(const std::string &path, unsigned int tick);
 } // namespace wheelrail
