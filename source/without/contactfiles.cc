@@ -21,6 +21,13 @@ namespace wheelrail
   }
 
 
+  std::string
+  contact_folder(const std::string &)
+  {
+    refuse_left_out("contact", Subject::contact_files);
+  }
+
+
   int
   run_contact_command(const ContactFileTask &, std::ostream &)
   {
