@@ -6,7 +6,6 @@
 #include <wheelrail/application/sections_command.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/hints.h>
 #include <wheelrail/commands/command_scene.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/contactfiles/contact_command.h>
@@ -14,7 +13,6 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/listing.h>
-#include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/input/without_effect.h>
@@ -30,9 +28,7 @@
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
 #include <wheelrail/vehicle/wheelset_command.h>
-#include <wheelrail/wheel/given_distance.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <ostream>

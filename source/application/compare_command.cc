@@ -18,7 +18,6 @@
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder_lock.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/sampling/stress_below.h>
 #include <wheelrail/verdict/agreement.h>
@@ -30,8 +29,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace wheelrail
 {

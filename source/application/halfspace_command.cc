@@ -19,10 +19,8 @@
 #include <wheelrail/wheel/noise_effect.h>
 #include <wheelrail/wheel/several_patches.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iomanip>
 
 namespace wheelrail
 {

@@ -4,7 +4,6 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/listing.h>
-#include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -26,16 +24,8 @@ namespace wheelrail
     print_cycles(const std::vector<MaterialCycle> &cycles, std::ostream &out)
     {
       char line[200];
-      std::snprintf(line,
-                    sizeof(line),
-                    "%7s %27s %25s %27s %25s %13s\n",
-                    "cycle",
-                    "axial strain [1e-3]",
-                    "stress [MPa]",
-                    "shear strain [1e-3]",
-                    "stress [MPa]",
-                    "accumulated");
-      out << line;
+      out << "  cycle         axial strain [1e-3]              stress [MPa]         shear strain [1e-3]      "
+             "        stress [MPa]   accumulated\n";
       std::size_t next = 1;
       for (std::size_t i = 1; i <= cycles.size(); ++i)
         if (i == next || i == cycles.size())

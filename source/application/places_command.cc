@@ -32,32 +32,10 @@ namespace wheelrail
       char line[200];
       out << "Wheel at rest " << (places.pitch ? "at pitch angles" : "at places along the track")
           << "; its drop is measured from its height on the smooth rail\n\n";
-      std::snprintf(line,
-                    sizeof line,
-                    "%10s %12s %11s %8s %8s %8s %10s %10s %10s\n",
-                    places.pitch ? "pitch" : "place",
-                    "peak",
-                    "area",
-                    "patches",
-                    "width",
-                    "length",
-                    "ahead",
-                    "drop",
-                    "slope force");
-      out << line;
-      std::snprintf(line,
-                    sizeof line,
-                    "%10s %12s %11s %8s %8s %8s %10s %10s %10s\n",
-                    places.pitch ? "deg" : "mm",
-                    "MPa",
-                    "mm2",
-                    "",
-                    "mm",
-                    "mm",
-                    "mm",
-                    "um",
-                    "N");
-      out << line;
+      out << (places.pitch ? "     pitch" : "     place")
+          << "         peak        area  patches    width   length      ahead       drop slope force\n"
+          << (places.pitch ? "       deg" : "        mm")
+          << "          MPa         mm2                mm       mm         mm         um          N\n";
       for (std::size_t k = 0; k < contacts.size(); ++k)
         {
           const PlaceContact &c = contacts[k];

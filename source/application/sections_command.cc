@@ -123,28 +123,10 @@ namespace wheelrail
              "the "
              "slices.\nOf each patch: rail, place on its section (positive to the field side), ahead of the "
              "axle\n\n"
-          << text("%10s %10s %5s %9s %9s %9s %10s %10s %9s %9s\n",
-                  "place",
-                  "drop",
-                  "rail",
-                  "x",
-                  "ahead",
-                  "angle",
-                  "force",
-                  "peak",
-                  "area",
-                  "creepage")
-          << text("%10s %10s %5s %9s %9s %9s %10s %10s %9s %9s\n",
-                  "mm",
-                  "mm",
-                  "",
-                  "mm",
-                  "mm",
-                  "deg",
-                  "N",
-                  "MPa",
-                  "mm2",
-                  "%");
+             "     place       drop  rail         x     ahead     angle      force       peak      area  "
+             "creepage\n"
+             "        mm         mm              mm        mm       deg          N        MPa       mm2      "
+             "   %\n";
       constexpr int fewest = 8;
       int           coarse = 0;
       for (std::size_t k = 0; k < results.size(); ++k)
@@ -241,28 +223,10 @@ namespace wheelrail
            "the height 0\nof the slices, and all places that 1 mm more would close; x positive to the field "
            "side, "
            "slope along the track\n\n"
-        << text("%10s %11s %5s %9s %9s %9s %9s %9s %9s %10s\n",
-                "place",
-                "drop",
-                "rail",
-                "rail x",
-                "wheel x",
-                "ahead",
-                "gap",
-                "angle",
-                "slope",
-                "radius")
-        << text("%10s %11s %5s %9s %9s %9s %9s %9s %9s %10s\n",
-                "mm",
-                "mm",
-                "",
-                "mm",
-                "mm",
-                "mm",
-                "mm",
-                "deg",
-                "mrad",
-                "mm");
+           "     place        drop  rail    rail x   wheel x     ahead       gap     angle     slope     "
+           "radius\n"
+           "        mm          mm              mm        mm        mm        mm       deg      mrad         "
+           "mm\n";
     for (const double place : sections.places)
       {
         std::string begin;

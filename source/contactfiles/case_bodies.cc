@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <ostream>
-#include <string>
 #include <utility>
 
 namespace wheelrail
@@ -229,28 +228,10 @@ namespace wheelrail
   print_bodies(const FigureTable &table, std::ostream &out)
   {
     out << "\nTrue bodies under the forces that press; peak pressure against that of the half-spaces\n\n"
-        << text("%6s %9s %11s %11s %11s %11s %9s %10s %8s %8s\n",
-                "case",
-                "Y(TR)",
-                "angle",
-                "FN",
-                "FX",
-                "FS",
-                "approach",
-                "peak",
-                "area",
-                "peak")
-        << text("%6s %9s %11s %11s %11s %11s %9s %10s %8s %8s\n",
-                "",
-                "mm",
-                "mrad",
-                "N",
-                "N",
-                "N",
-                "mm",
-                "MPa",
-                "mm2",
-                "%");
+           "  case     Y(TR)       angle          FN          FX          FS  approach       peak     area   "
+           "  peak\n"
+           "              mm        mrad           N           N           N        mm        MPa      mm2   "
+           "     %\n";
     for (std::size_t k = 0; k < table.rows(); ++k)
       {
         const auto value = [&](const char *key) { return (*table.find(key))[k]; };

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <ostream>
-#include <utility>
 
 namespace wheelrail
 {
@@ -50,30 +49,10 @@ namespace wheelrail
     print_heading(std::ostream &out)
     {
       out << "Forces on body 1; creepages, or shifts in mm\n\n"
-          << text("%6s %12s %12s %12s %12s %11s %11s %11s %11s %10s %8s\n",
-                  "case",
-                  "FN",
-                  "FX",
-                  "FY",
-                  "MZ",
-                  "approach",
-                  "peak",
-                  "CKSI",
-                  "CETA",
-                  "area",
-                  "stick")
-          << text("%6s %12s %12s %12s %12s %11s %11s %11s %11s %10s %8s\n",
-                  "",
-                  "N",
-                  "N",
-                  "N",
-                  "N mm",
-                  "mm",
-                  "MPa",
-                  "%",
-                  "%",
-                  "mm2",
-                  "%");
+             "  case           FN           FX           FY           MZ    approach        peak        CKSI "
+             "       CETA       area    stick\n"
+             "                  N            N            N         N mm          mm         MPa           % "
+             "          %        mm2        %\n";
     }
   } // namespace
 

@@ -1,5 +1,4 @@
 #include <wheelrail/contactfiles/case_problem.h>
-#include <wheelrail/contactfiles/curved_patch.h>
 #include <wheelrail/contactfiles/patch_solver.h>
 #include <wheelrail/contactfiles/solve_cases.h>
 #include <wheelrail/contactfiles/weakened_rows.h>

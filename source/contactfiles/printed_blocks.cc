@@ -2,8 +2,6 @@
 #include <wheelrail/contactfiles/printed_blocks.h>
 #include <wheelrail/contactfiles/printed_patch.h>
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace wheelrail

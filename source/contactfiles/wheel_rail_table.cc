@@ -2,7 +2,6 @@
 #include <wheelrail/contactfiles/wheel_rail_table.h>
 
 #include <ostream>
-#include <utility>
 
 namespace wheelrail
 {
@@ -91,36 +90,10 @@ namespace wheelrail
   print_wheel_rail_heading(std::ostream &out)
   {
     out << "Forces on the rail; y to the right, z down; creepages, or shifts in mm\n\n"
-        << text("%6s %9s %11s %9s %11s %11s %11s %11s %11s %9s %10s %8s %8s %8s\n",
-                "case",
-                "Z_WS",
-                "VPITCH",
-                "Y(TR)",
-                "angle",
-                "FN",
-                "FX",
-                "FS",
-                "MN",
-                "approach",
-                "peak",
-                "CKSI",
-                "CETA",
-                "area")
-        << text("%6s %9s %11s %9s %11s %11s %11s %11s %11s %9s %10s %8s %8s %8s\n",
-                "",
-                "mm",
-                "rad/s",
-                "mm",
-                "mrad",
-                "N",
-                "N",
-                "N",
-                "N mm",
-                "mm",
-                "MPa",
-                "%",
-                "%",
-                "mm2");
+           "  case      Z_WS      VPITCH     Y(TR)       angle          FN          FX          FS          "
+           "MN  approach       peak     CKSI     CETA     area\n"
+           "              mm       rad/s        mm        mrad           N           N           N        N "
+           "mm        mm        MPa        %        %      mm2\n";
   }
 
 

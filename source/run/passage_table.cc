@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/read_file.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/output/descriptions.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_handles.h>
@@ -30,30 +31,13 @@ namespace wheelrail
     const std::vector<std::string> &
     figure_keys()
     {
-      static const std::vector<std::string> list = {"wheel_load_N",
-                                                    "first_force_over_load",
-                                                    "vertical_force_N",
-                                                    "longitudinal_force_N",
-                                                    "max_pressure_Pa",
-                                                    "max_pressure_low_Pa",
-                                                    "max_pressure_high_Pa",
-                                                    "contact_area_m2",
-                                                    "contact_area_low_m2",
-                                                    "contact_area_high_m2",
-                                                    "patch_lateral_m",
-                                                    "patch_longitudinal_m",
-                                                    "max_shear_traction_Pa",
-                                                    "creepage",
-                                                    "rail_plastic_strain",
-                                                    "residual_lateral_stress_Pa",
-                                                    "residual_longitudinal_stress_Pa",
-                                                    "residual_forward_flow_m",
-                                                    "plastic_band_width_m",
-                                                    "plastic_band_depth_m",
-                                                    "plastic_work_rail_J",
-                                                    "plastic_work_wheel_J",
-                                                    "energy_error",
-                                                    "wall_time_s"};
+      static const std::vector<std::string> list = split_list(
+        "wheel_load_N, first_force_over_load, vertical_force_N, longitudinal_force_N, max_pressure_Pa, "
+        "max_pressure_low_Pa, max_pressure_high_Pa, contact_area_m2, contact_area_low_m2, "
+        "contact_area_high_m2, patch_lateral_m, patch_longitudinal_m, max_shear_traction_Pa, creepage, "
+        "rail_plastic_strain, residual_lateral_stress_Pa, residual_longitudinal_stress_Pa, "
+        "residual_forward_flow_m, plastic_band_width_m, plastic_band_depth_m, plastic_work_rail_J, "
+        "plastic_work_wheel_J, energy_error, wall_time_s");
       return list;
     }
 

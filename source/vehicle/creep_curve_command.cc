@@ -1,5 +1,6 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/progress.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/bodies/shift_effect.h>
 #include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/commands/report_script.h>
@@ -15,7 +16,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <numeric>
-#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -113,24 +113,13 @@ namespace wheelrail
     {
       FigureTable table;
       add_abscissa(curve, curve.values, table);
-      table.add_figures({"reference_creepage",
-                         "reference_lateral_creepage",
-                         "reference_spin_per_m",
-                         "creepage",
-                         "longitudinal_force_N",
-                         "tangential_lateral_force_N",
-                         "reference_spin_moment_Nm",
-                         "normal_force_N",
-                         "vertical_force_N",
-                         "lateral_force_N",
-                         "wheelset_longitudinal_force_N",
-                         "wheelset_lateral_force_N",
-                         "max_pressure_Pa",
-                         "max_shear_traction_Pa",
-                         "area_of_whole_elements_m2",
-                         "stick_fraction",
-                         "t_gamma_N"},
-                        points);
+      table.add_figures(
+        split_list(
+          "reference_creepage, reference_lateral_creepage, reference_spin_per_m, creepage, "
+          "longitudinal_force_N, tangential_lateral_force_N, reference_spin_moment_Nm, normal_force_N, "
+          "vertical_force_N, lateral_force_N, wheelset_longitudinal_force_N, wheelset_lateral_force_N, "
+          "max_pressure_Pa, max_shear_traction_Pa, area_of_whole_elements_m2, stick_fraction, t_gamma_N"),
+        points);
       return table;
     }
   } // namespace

@@ -3,7 +3,6 @@
 #include <wheelrail/base/hints.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/progress.h>
-#include <wheelrail/commands/command_scene.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/commands/row_verdicts.h>
 #include <wheelrail/commands/scene_row.h>
@@ -12,7 +11,6 @@
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/input/without_effect.h>
-#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/figures.h>
@@ -22,7 +20,6 @@
 #include <wheelrail/vehicle/vehicle_command.h>
 #include <wheelrail/vehicle/vehicle_rows.h>
 #include <wheelrail/vehicle/vehicle_table.h>
-#include <wheelrail/vehicle/wheelset_command.h>
 #include <wheelrail/verdict/verdict.h>
 #include <wheelrail/wheel/given_distance.h>
 
@@ -32,7 +29,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace wheelrail

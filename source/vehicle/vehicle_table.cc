@@ -1,3 +1,4 @@
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/vehicle/vehicle_table.h>
 #include <wheelrail/vehicle/wheelset_figures.h>
@@ -15,47 +16,17 @@ namespace wheelrail
     figure_keys()
     {
       static const std::vector<std::string> keys = [] {
-        std::vector<std::string> list = {"longitudinal_force_N",
-                                         "lateral_force_N",
-                                         "vertical_force_N",
-                                         "normal_force_N",
-                                         "tangential_lateral_force_N",
-                                         "wheelset_longitudinal_force_N",
-                                         "wheelset_lateral_force_N",
-                                         "drive_torque_Nm",
-                                         "yaw_moment_Nm",
-                                         "creepage",
-                                         "creepage_low",
-                                         "creepage_high",
-                                         "reference_creepage",
-                                         "reference_lateral_creepage",
-                                         "reference_spin_per_m",
-                                         "reference_spin_moment_Nm",
-                                         "reference_lateral_m",
-                                         "reference_along_m",
-                                         "reference_ahead_of_axle_m",
-                                         "reference_angle_rad",
-                                         "lateral_over_vertical",
-                                         "wheelset_roll_rad",
-                                         "approach_m",
-                                         "max_pressure_Pa",
-                                         "max_pressure_low_Pa",
-                                         "max_pressure_high_Pa",
-                                         "max_shear_traction_Pa",
-                                         "contact_area_m2",
-                                         "contact_area_low_m2",
-                                         "contact_area_high_m2",
-                                         "patch_lateral_m",
-                                         "patch_longitudinal_m",
-                                         "stick_fraction",
-                                         "t_gamma_N",
-                                         "lateral_force_low_N",
-                                         "lateral_force_high_N",
-                                         "longitudinal_force_low_N",
-                                         "longitudinal_force_high_N",
-                                         "t_gamma_low_N",
-                                         "t_gamma_high_N",
-                                         "frictional_power_W"};
+        std::vector<std::string> list = split_list(
+          "longitudinal_force_N, lateral_force_N, vertical_force_N, normal_force_N, "
+          "tangential_lateral_force_N, wheelset_longitudinal_force_N, wheelset_lateral_force_N, "
+          "drive_torque_Nm, yaw_moment_Nm, creepage, creepage_low, creepage_high, reference_creepage, "
+          "reference_lateral_creepage, reference_spin_per_m, reference_spin_moment_Nm, reference_lateral_m, "
+          "reference_along_m, reference_ahead_of_axle_m, reference_angle_rad, lateral_over_vertical, "
+          "wheelset_roll_rad, approach_m, max_pressure_Pa, max_pressure_low_Pa, max_pressure_high_Pa, "
+          "max_shear_traction_Pa, contact_area_m2, contact_area_low_m2, contact_area_high_m2, "
+          "patch_lateral_m, patch_longitudinal_m, stick_fraction, t_gamma_N, lateral_force_low_N, "
+          "lateral_force_high_N, longitudinal_force_low_N, longitudinal_force_high_N, t_gamma_low_N, "
+          "t_gamma_high_N, frictional_power_W");
         list.insert(list.end(), worst_wear_keys().begin(), worst_wear_keys().end());
         list.insert(list.end(),
                     {"archard_section_m2",
@@ -80,22 +51,13 @@ namespace wheelrail
         if (const double n = get_figure(row, "patches"); n > most)
           most = n;
       for (int k = 1; k <= most; ++k)
-        table.add_figures({"normal_force_N",
-                           "longitudinal_force_N",
-                           "tangential_lateral_force_N",
-                           "reference_angle_rad",
-                           "reference_lateral_m",
-                           "reference_creepage",
-                           "reference_lateral_creepage",
-                           "reference_spin_per_m",
-                           "max_pressure_Pa",
-                           "contact_area_m2",
-                           "t_gamma_N",
-                           "patch_centre_from_axis_m",
-                           "patch_centre_from_gauge_face_m",
-                           "patch_centre_below_top_m"},
-                          rows,
-                          patch_prefix(k));
+        table.add_figures(
+          split_list("normal_force_N, longitudinal_force_N, tangential_lateral_force_N, reference_angle_rad, "
+                     "reference_lateral_m, reference_creepage, reference_lateral_creepage, "
+                     "reference_spin_per_m, max_pressure_Pa, contact_area_m2, t_gamma_N, "
+                     "patch_centre_from_axis_m, patch_centre_from_gauge_face_m, patch_centre_below_top_m"),
+          rows,
+          patch_prefix(k));
     }
 
     /// A column of the motion, under its name and its SI unit.

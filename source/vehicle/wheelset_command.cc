@@ -1,13 +1,13 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/parallel.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/shift_effect.h>
 #include <wheelrail/commands/halfspace_results.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/listing.h>
-#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
@@ -23,7 +23,6 @@
 #include <filesystem>
 #include <iomanip>
 #include <optional>
-#include <vector>
 
 namespace wheelrail
 {
@@ -79,22 +78,11 @@ namespace wheelrail
     print_wheels(const std::optional<HalfspaceResults> (&wheels)[2], std::ostream &out)
     {
       print_row("", "", {"right", "left"}, out);
-      for (const char *name : {"vertical_force",
-                               "lateral_force",
-                               "lateral_over_vertical",
-                               "longitudinal_force",
-                               "reference_creepage",
-                               "reference_lateral_creepage",
-                               "reference_spin",
-                               "t_gamma",
-                               "max_pressure",
-                               "contact_area",
-                               "patches",
-                               "reference_lateral",
-                               "patch_centre_from_axis",
-                               "patch_centre_from_gauge_face",
-                               "reference_radius",
-                               "subsurface_von_mises"})
+      for (const std::string &name :
+           split_list("vertical_force, lateral_force, lateral_over_vertical, longitudinal_force, "
+                      "reference_creepage, reference_lateral_creepage, reference_spin, t_gamma, "
+                      "max_pressure, contact_area, patches, reference_lateral, patch_centre_from_axis, "
+                      "patch_centre_from_gauge_face, reference_radius, subsurface_von_mises"))
         {
           const Figure &figure = figure_named(name);
           std::string   values[2];

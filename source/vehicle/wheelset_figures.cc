@@ -1,4 +1,5 @@
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/vehicle/wheelset_figures.h>
 #include <wheelrail/verdict/interval.h>
 #include <wheelrail/verdict/verdict.h>
@@ -92,24 +93,12 @@ namespace wheelrail
                             "vehicle begins to tip over.";
             continue;
           }
-        for (const char *key : {"vertical_force_N",
-                                "lateral_force_N",
-                                "lateral_over_vertical",
-                                "longitudinal_force_N",
-                                "normal_force_N",
-                                "reference_creepage",
-                                "reference_lateral_creepage",
-                                "reference_spin_per_m",
-                                "reference_lateral_m",
-                                "patch_centre_from_axis_m",
-                                "patch_centre_from_gauge_face_m",
-                                "reference_radius_m",
-                                "rolling_radius_m",
-                                "t_gamma_N",
-                                "max_pressure_Pa",
-                                "halfspace_max_pressure_Pa",
-                                "contact_area_m2",
-                                "stick_fraction"})
+        for (const std::string &key :
+             split_list("vertical_force_N, lateral_force_N, lateral_over_vertical, longitudinal_force_N, "
+                        "normal_force_N, reference_creepage, reference_lateral_creepage, "
+                        "reference_spin_per_m, reference_lateral_m, patch_centre_from_axis_m, "
+                        "patch_centre_from_gauge_face_m, reference_radius_m, rolling_radius_m, t_gamma_N, "
+                        "max_pressure_Pa, halfspace_max_pressure_Pa, contact_area_m2, stick_fraction"))
           copy_figure(*wheel, key, side + "_", total);
         grade          = std::min(grade, grade_of(*wheel));
         total.finished = total.finished && wheel->finished;

@@ -1,3 +1,4 @@
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
 #include <wheelrail/model/expected_patch.h>
@@ -115,22 +116,12 @@ namespace wheelrail
     add_patch(const Summary &patch, const std::size_t number, Summary &summary)
     {
       const std::string before = patch_prefix(number);
-      for (const char *key : {"normal_force_N",
-                              "longitudinal_force_N",
-                              "tangential_lateral_force_N",
-                              "reference_angle_rad",
-                              "reference_lateral_m",
-                              "reference_ahead_of_axle_m",
-                              "reference_creepage",
-                              "reference_lateral_creepage",
-                              "reference_spin_per_m",
-                              "max_pressure_Pa",
-                              "contact_area_m2",
-                              "stick_fraction",
-                              "t_gamma_N",
-                              "patch_centre_from_axis_m",
-                              "patch_centre_from_gauge_face_m",
-                              "patch_centre_below_top_m"})
+      for (const std::string &key :
+           split_list("normal_force_N, longitudinal_force_N, tangential_lateral_force_N, "
+                      "reference_angle_rad, reference_lateral_m, reference_ahead_of_axle_m, "
+                      "reference_creepage, reference_lateral_creepage, reference_spin_per_m, "
+                      "max_pressure_Pa, contact_area_m2, stick_fraction, t_gamma_N, "
+                      "patch_centre_from_axis_m, patch_centre_from_gauge_face_m, patch_centre_below_top_m"))
         set_figure(summary, before + key, get_figure(patch, key));
     }
 
@@ -138,22 +129,11 @@ namespace wheelrail
     void
     add_up(const std::vector<Summary> &patches, Summary &total)
     {
-      for (const char *key : {"normal_force_N",
-                              "vertical_force_N",
-                              "longitudinal_force_N",
-                              "lateral_force_N",
-                              "contact_area_m2",
-                              "elements",
-                              "area_of_whole_elements_m2",
-                              "wheelset_longitudinal_force_N",
-                              "wheelset_lateral_force_N",
-                              "drive_torque_Nm",
-                              "yaw_moment_Nm",
-                              "t_gamma_N",
-                              "creepage_work_N",
-                              "friction_work_N",
-                              "frictional_power_W",
-                              "archard_section_m2"})
+      for (const std::string &key :
+           split_list("normal_force_N, vertical_force_N, longitudinal_force_N, lateral_force_N, "
+                      "contact_area_m2, elements, area_of_whole_elements_m2, wheelset_longitudinal_force_N, "
+                      "wheelset_lateral_force_N, drive_torque_Nm, yaw_moment_Nm, t_gamma_N, creepage_work_N, "
+                      "friction_work_N, frictional_power_W, archard_section_m2"))
         {
           double sum = 0;
           for (const Summary &patch : patches)
