@@ -2,7 +2,6 @@
 
 #include <csignal>
 #include <ctime>
-#include <initializer_list>
 
 #include <unistd.h>
 

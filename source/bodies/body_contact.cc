@@ -6,7 +6,6 @@
 #include <wheelrail/wheel/halfspace_parts.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 // One wheel on one rail as true bodies (doc/theory/bodies.md, Contact). One round: 1. load and force that the

@@ -1,6 +1,5 @@
 #include <wheelrail/bodies/body_contact.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>

@@ -17,7 +17,6 @@
 #include <mutex>
 #include <optional>
 #include <regex>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>

@@ -1,8 +1,6 @@
 #include <wheelrail/bodies/placed_bodies.h>
 
 #include <cmath>
-#include <memory>
-#include <vector>
 
 // Where the rows of elements lie on the profiles of both bodies, and R of (4) in doc/theory/bodies.md from
 // that.

@@ -6,10 +6,8 @@
 #include <cholmod.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
 // (K(k) - omega^2 M) u = 0 of a section at one wavenumber: slowest motions by subspace iteration with a
 // shift, as rigid motions have no stiffness at k = 0.

@@ -1,7 +1,6 @@
 #include <deal.II/lac/lapack_templates.h>
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/bodies/section_motions.h>
 #include <wheelrail/bodies/section_waves.h>
 
 #include <algorithm>

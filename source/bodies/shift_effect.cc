@@ -1,7 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/shift_effect.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/wheel/coarse_halfspaces.h>
 

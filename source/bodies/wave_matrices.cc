@@ -3,7 +3,6 @@
 
 #include <cholmod.h>
 
-#include <algorithm>
 
 // K0, K1, K2 and M of a section, (1) of doc/theory/bodies.md, assembled once: K(k) is their sum at any
 // wavenumber, with one pattern.

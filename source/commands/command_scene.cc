@@ -5,7 +5,6 @@
 #include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/without_effect.h>
-#include <wheelrail/model/scene_checks.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstddef>
 #include <filesystem>
-#include <string>
 
 namespace wheelrail
 {

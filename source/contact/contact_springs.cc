@@ -1,8 +1,6 @@
 #include <wheelrail/contact/contact.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <vector>
 
 // Normal springs of the nodes in contact for the static start: k A n (x) n between what the filters make of

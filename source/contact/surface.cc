@@ -72,8 +72,7 @@ namespace wheelrail
         for (const unsigned int node : face.nodes)
           if (done.insert(node).second)
             {
-              const double *x = &mesh.reference[4 * node];
-              const Vector3 X = {x[0], x[1], x[2]};
+              const Vector3 X = mesh.place(node);
               // station i = Z (or arc) over the spacing, row j = (s - s_begin) over the spacing
               // (doc/theory/mesh.md, The lattice)
               const auto place = surfaces[body].unmoved(X);

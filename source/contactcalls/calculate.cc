@@ -4,9 +4,7 @@
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/case_points.h>
 
-#include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <string>
 #include <vector>
 

@@ -6,7 +6,6 @@
 
 #include <deal.II/base/multithread_info.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

@@ -24,12 +24,11 @@ namespace wheelrail
       led = axle.path->rate(0);
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {
-        const double *H = &gradient[9 * n], *X = &solid.mesh.reference[4 * n];
+        const double *H = &gradient[9 * n];
         double       *v = &solid.velocity[4 * n];
         if (solid.mesh.node_body[n] == Body::wheel)
           {
-            const double *d   = &still[4 * n]; // dents turn with the wheel
-            const Vector3 arm = Vector3{X[0] + d[0], X[1] + d[1], X[2] + d[2]} - axle.centre;
+            const Vector3 arm = solid.mesh.place(n) + vector_at(still, n) - axle.centre; // dents turn, too
             const Vector3 w   = pitch_rate * cross(axle.axis, arm);
             for (int i = 0; i < 3; ++i)
               v[i] = w[i] + H[3 * i] * w[0] + H[3 * i + 1] * w[1] + H[3 * i + 2] * w[2];

@@ -1,7 +1,6 @@
 #include <wheelrail/geometry/irregularity.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace wheelrail
 {

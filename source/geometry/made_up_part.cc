@@ -1,7 +1,6 @@
 #include <wheelrail/geometry/made_up_part.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace wheelrail
 {

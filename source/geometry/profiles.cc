@@ -3,7 +3,6 @@
 #include <wheelrail/geometry/standard_rails.h>
 #include <wheelrail/geometry/standard_wheels.h>
 
-#include <cmath>
 #include <map>
 
 namespace wheelrail

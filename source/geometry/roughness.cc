@@ -11,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <random>
-#include <string>
 #include <utility>
 
 // Heights from levels of one-third-octave bands (EN 15610; doc/manual/irregularities.md): lines of a spectrum

@@ -1,6 +1,5 @@
 #include <wheelrail/geometry/section_heights.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include <wheelrail/geometry/standard_rails.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -25,6 +25,7 @@ namespace wheelrail
                        const std::vector<double> &heat)
   {
     const double b1 = bodies.effusivity[0], b2 = bodies.effusivity[1];
+    // two half-spaces that meet: (b1 T1 + b2 T2)/(b1 + b2), b the effusivity (Carslaw and Jaeger 1959)
     const double met = (b1 * bodies.far[0] + b2 * bodies.far[1]) / (b1 + b2);
     // heat q on both for the time x/V: 2 q sqrt(x / (pi V)) / (b1 + b2)
     const double        rise = 2 / ((b1 + b2) * std::sqrt(M_PI * velocity)), half = 0.5 * grid.dx;
@@ -50,8 +51,10 @@ namespace wheelrail
           {
             double friction = 0;
             for (int k = last; k >= i; --k)
+              // sum of q_k (sqrt(x + dx/2) - sqrt(x - dx/2)) 2/((b1 + b2) sqrt(pi V)) over the elements ahead
               friction += heat[row + std::size_t(k)] * reach[std::size_t(k - i)];
-            // behind the contact: what is left of the exchange between the bodies
+            // behind the contact: what is left of the exchange between the bodies, 2/pi asin(sqrt(L/x)) of it
+            // at the distance x from where it began (Ertz and Knothe 2002)
             const double along  = (last - i + 0.5) * grid.dx;
             const double shared = i >= first ? 1 : 2 / M_PI * std::asin(std::sqrt(length / along));
             for (const std::size_t body : {0, 1})
@@ -76,7 +79,8 @@ namespace wheelrail
     for (std::size_t e = 0; e < heat.size() && !tangential.slip[0].empty(); ++e)
       {
         const double yields = tangential.plastic.empty() ? 0 : tangential.plastic[e];
-        heat[e]             = std::hypot(tangential.traction[0][e], tangential.traction[1][e]) *
+        // |t| |s| V; of what the layer does by yielding, a share becomes heat
+        heat[e] = std::hypot(tangential.traction[0][e], tangential.traction[1][e]) *
                   std::hypot(tangential.slip[0][e], tangential.slip[1][e]) * problem.velocity *
                   (1 - yields + yields * problem.heat->plastic_share);
       }

@@ -64,6 +64,7 @@ namespace wheelrail
             s.plastic_y[e] = old->plastic_y[std::size_t(before)];
           }
         const double share = tangential.plastic[e];
+        // u_p = u_p(a step before) - share h s, s the slip over the step h; what is left of it slides
         s.plastic_x[e] -= share * s.step * s.slip_x[e];
         s.plastic_y[e] -= share * s.step * s.slip_y[e];
         s.slip_x[e] *= 1 - share;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 // Grids and undeformed distances h(x, y) at the centres of elements [m].
 

@@ -9,7 +9,6 @@
 #include <wheelrail/halfspace/tangential.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>

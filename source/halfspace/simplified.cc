@@ -25,7 +25,8 @@ namespace wheelrail
       slip(const std::array<double, 2> &trial, const double size) const
       {
         const SimplifiedTheory &theory = *problem.simplified;
-        const double            left   = size / std::hypot(trial[0], trial[1]) - 1;
+        // s = L (t - t_trial)/h with t = t_trial size/|t_trial|
+        const double left = size / std::hypot(trial[0], trial[1]) - 1;
         return {{theory.along * trial[0] * left / step, theory.across * trial[1] * left / step}};
       }
 
@@ -84,12 +85,14 @@ namespace wheelrail
                     continue;
                   }
                 for (int d = 0; d < 2; ++d)
+                  // sticking: t = t_ahead - h w/L, w the rigid slip (Kalker 1982)
                   t[d] -= step * (task.rigid_slip[d][e] + state.creepage[d]) / L[d];
                 bool slips  = false;
                 ahead       = coefficient(j, pressure[e], ahead, t, slips);
                 friction[e] = ahead;
                 if (slips)
                   {
+                    // sliding: |t| = mu p, in the direction of the traction without a bound
                     const double size = ahead * pressure[e], whole = std::hypot(t[0], t[1]);
                     const auto   s    = slip(t, size);
                     state.slipping[e] = 1;

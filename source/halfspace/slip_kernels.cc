@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 // B of s = w + B t, and the inverse of A for the preconditioner: 2 x 2 symbols of convolutions over the
 // doubled grid, pairs xx, xy, yy.

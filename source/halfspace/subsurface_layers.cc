@@ -2,8 +2,6 @@
 #include <wheelrail/halfspace/element_stress.h>
 #include <wheelrail/halfspace/subsurface_layers.h>
 
-#include <array>
-#include <utility>
 
 // At one depth the stress under each element is a convolution of the tractions with the stress of one
 // element: one FFT for each component and load in place of a sum over all pairs.

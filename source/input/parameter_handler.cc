@@ -6,7 +6,6 @@
 #include <deal.II/base/patterns.h>
 
 #include <memory>
-#include <string>
 
 namespace wheelrail
 {

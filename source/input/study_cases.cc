@@ -1,15 +1,11 @@
 #include <wheelrail/base/shown_text.h>
-#include <wheelrail/base/split_list.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/input/study_cases.h>
-#include <wheelrail/profiles/profile_file.h>
-
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 

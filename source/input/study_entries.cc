@@ -6,7 +6,6 @@
 
 #include <boost/algorithm/string/trim.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

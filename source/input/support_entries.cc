@@ -2,8 +2,6 @@
 #include <wheelrail/input/section_entries.h>
 
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace wheelrail
 {

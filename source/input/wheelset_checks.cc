@@ -7,7 +7,6 @@
 #include <wheelrail/scene/curve_loads.h>
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace wheelrail

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <string>
 #include <type_traits>
 #include <utility>
 

@@ -10,7 +10,6 @@
 #include <p8est_extended.h>
 
 #include <algorithm>
-#include <memory>
 #include <set>
 #include <utility>
 

@@ -1,12 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/motion_path.h>
 #include <wheelrail/model/scene_motion.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace wheelrail
 {

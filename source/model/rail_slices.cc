@@ -4,7 +4,6 @@
 #include <wheelrail/model/rail_slices.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/note_lines.h>
-#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/profiles/smoothing_spline.h>
 
 #include <algorithm>

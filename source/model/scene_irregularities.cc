@@ -2,17 +2,14 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/geometry/roughness.h>
-#include <wheelrail/input/entries.h>
 #include <wheelrail/mesh/block_length.h>
 #include <wheelrail/model/rise_of_slices.h>
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/roughness_file.h>
 #include <wheelrail/profiles/slices_file.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace wheelrail
 {

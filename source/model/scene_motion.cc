@@ -1,12 +1,9 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/scene_motion.h>
 
 #include <cmath>
 #include <cstddef>
-#include <string>
-#include <vector>
 
 namespace wheelrail
 {

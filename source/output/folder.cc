@@ -6,7 +6,6 @@
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/summary.h>
 
-#include <filesystem>
 #include <system_error>
 #include <utility>
 #include <vector>

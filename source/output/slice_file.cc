@@ -2,10 +2,7 @@
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/output/slice_file.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 namespace wheelrail
 {

@@ -11,7 +11,6 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <mpi.h>
 #include <zlib.h>
 
 #include <cstdint>
@@ -20,7 +19,6 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace wheelrail
 {

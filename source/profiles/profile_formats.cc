@@ -3,7 +3,6 @@
 #include <wheelrail/profiles/profile_text.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <utility>
 
 namespace wheelrail
 {

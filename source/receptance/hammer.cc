@@ -23,11 +23,8 @@ namespace wheelrail
     for (const BoundaryFace &face : mesh.faces)
       if (face.body == of.body && face.mark == Boundary::running)
         {
-          std::array<Vector3, 4> X;
-          for (int a = 0; a < 4; ++a)
-            for (int i = 0; i < 3; ++i)
-              X[a][i] = mesh.reference[4 * face.nodes[a] + i];
-          const double area = norm(cross(X[3] - X[0], X[2] - X[1])) / (2 * points * points);
+          const std::array<Vector3, 4> X    = mesh.places(face.nodes);
+          const double                 area = norm(cross(X[3] - X[0], X[2] - X[1])) / (2 * points * points);
           for (int p = 0; p < points; ++p)
             for (int q = 0; q < points; ++q)
               {

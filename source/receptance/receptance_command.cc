@@ -3,7 +3,6 @@
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/progress.h>
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/commands/command_scene.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/without_effect.h>
@@ -24,12 +23,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <optional>
 #include <vector>
 
 namespace wheelrail

@@ -10,7 +10,6 @@
 #include <boost/math/tools/minima.hpp>
 
 #include <cmath>
-#include <complex>
 #include <limits>
 
 namespace wheelrail

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <map>
 #include <vector>
 
 namespace wheelrail

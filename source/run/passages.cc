@@ -12,13 +12,11 @@
 #include <wheelrail/run/passages.h>
 #include <wheelrail/run/staggered_starts.h>
 #include <wheelrail/state/checkpoint_checks.h>
-#include <wheelrail/state/rail_state.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <unistd.h>

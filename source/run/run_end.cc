@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/bodies/run_intervals.h>
@@ -18,7 +20,6 @@
 #include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
-#include <wheelrail/wheel/halfspace_parts.h>
 #include <wheelrail/wheel/noise_effect.h>
 #include <wheelrail/wheel/reference_figures.h>
 
@@ -37,9 +38,7 @@ namespace wheelrail
     {
       rusage usage;
       getrusage(RUSAGE_SELF, &usage);
-      double memory = 1024. * usage.ru_maxrss;
-      MPI_Allreduce(MPI_IN_PLACE, &memory, 1, MPI_DOUBLE, MPI_SUM, communicator);
-      return memory;
+      return dealii::Utilities::MPI::sum(1024. * usage.ru_maxrss, communicator);
     }
   } // namespace
 
@@ -347,9 +346,7 @@ namespace wheelrail
     summary.time_step  = model.time_step;
     summary.element_updates_per_second =
       summary.elements * double(run.rolling.steps() - tally.first_step) / tally.loop_seconds;
-    int size;
-    MPI_Comm_size(run.communicator, &size);
-    summary.ranks = size;
+    summary.ranks = dealii::Utilities::MPI::n_mpi_processes(run.communicator);
     set_figure(summary, "wheel_load_N", model.wheel_load);
     const History &history = run.recorder.state().history;
     for (std::size_t c = 0; c < history.names.size(); ++c)
@@ -361,7 +358,7 @@ namespace wheelrail
       set_figure(summary, "yaw_rad", model.geometry.yaw);
     if (model.axle.path)
       add_motion(summary, *model.axle.path, run.recorder.averaging_stretch(run.scene));
-    for (const std::string tail : {"", "_error"})
+    for (const std::string tail : {"", "_error"}) // P = T-gamma V
       set_figure(summary,
                  "frictional_power" + tail + "_W",
                  get_figure(summary, "t_gamma" + tail + "_N") * summary.velocity);

@@ -4,7 +4,6 @@
 #include <wheelrail/sampling/settling.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace wheelrail

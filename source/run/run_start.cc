@@ -9,9 +9,7 @@
 
 #include <chrono>
 #include <exception>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace wheelrail
 {

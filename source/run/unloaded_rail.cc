@@ -1,6 +1,4 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/run/moving_mesh.h>
-#include <wheelrail/run/run_texts.h>
 #include <wheelrail/run/unloaded_rail.h>
 
 #include <chrono>

@@ -24,11 +24,10 @@ namespace wheelrail
         {
           if (solid.mesh.node_body[n] != Body::rail || !(strain[n] > band_strain))
             continue;
-          const double *R     = &solid.mesh.reference[4 * n];
-          const auto    place = surfaces.rail.place({R[0], R[1], R[2]});
-          range[0]            = std::max(range[0], -place.s);
-          range[1]            = std::max(range[1], place.s);
-          range[2]            = std::max(range[2], surfaces.rail.at(place.s, place.along).n - place.n);
+          const auto place = surfaces.rail.place(solid.mesh.place(n));
+          range[0]         = std::max(range[0], -place.s);
+          range[1]         = std::max(range[1], place.s);
+          range[2]         = std::max(range[2], surfaces.rail.at(place.s, place.along).n - place.n);
         }
       MPI_Allreduce(MPI_IN_PLACE, range, 3, MPI_DOUBLE, MPI_MAX, communicator);
       if (std::isinf(range[2]))

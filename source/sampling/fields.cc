@@ -1,8 +1,5 @@
-#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/solid/cauchy.h>
-#include <wheelrail/solid/point_state.h>
-#include <wheelrail/solid/stress_recovery.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -22,8 +19,7 @@ namespace wheelrail
     Vector3
     deformation(const Solid &solid, const unsigned int n, const Axle::Motion &wheel)
     {
-      const double *R = &solid.mesh.reference[4 * n];
-      const Vector3 X = {R[0], R[1], R[2]};
+      const Vector3 X = solid.mesh.place(n);
       if (solid.mesh.node_body[n] == Body::rail)
         return solid.position(n) - X;
       return solid.position(n) - wheel(X);
@@ -290,24 +286,19 @@ namespace wheelrail
     const Axle::Motion wheel(axle);
     builder.field(
       "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, wheel), v); });
-    const std::vector<double> &stress  = nodal.stress;
-    const bool                 plastic = solid.blocks.rail.plastic() || solid.blocks.wheel.plastic();
+    const std::vector<double> &stress = nodal.stress;
     if (selection == Selection::surface)
+      add_contact_fields(builder, solid, contact);
+    else
       {
-        add_contact_fields(builder, solid, contact);
-        if (plastic)
-          add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded);
-        if (residual)
-          add_residual_fields(builder, residual->stress);
-        return mesh;
+        builder.field(
+          "von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
+        add_tensor(builder, "stress", stress);
+        builder.field("principal_stresses", "Pa", 3, [&](unsigned int n, double *v) {
+          copy(principal_stresses(&stress[6 * n]), v);
+        });
       }
-    builder.field(
-      "von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
-    add_tensor(builder, "stress", stress);
-    builder.field("principal_stresses", "Pa", 3, [&](unsigned int n, double *v) {
-      copy(principal_stresses(&stress[6 * n]), v);
-    });
-    if (plastic)
+    if (solid.blocks.rail.plastic() || solid.blocks.wheel.plastic())
       add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded);
     if (residual)
       add_residual_fields(builder, residual->stress);

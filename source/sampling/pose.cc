@@ -64,8 +64,7 @@ namespace wheelrail
       {
         if (!solid.mesh.owns(n))
           continue;
-        const double *R    = &solid.mesh.reference[4 * n];
-        const Vector3 X    = {R[0], R[1], R[2]};
+        const Vector3 X    = solid.mesh.place(n);
         const Body    body = solid.mesh.node_body[n];
         const bool    rail = body == Body::rail;
         const Vector3 arm  = X - query.axle_reference;

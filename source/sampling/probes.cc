@@ -1,8 +1,6 @@
 #include <wheelrail/sampling/probes.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 namespace wheelrail
@@ -33,17 +31,14 @@ namespace wheelrail
                    const NodalStress                 &nodal,
                    const Vector3                     &xi)
     {
-      const auto N         = shape(xi);
-      const auto reference = [&](const unsigned int n) {
-        return Vector3{mesh.reference[4 * n], mesh.reference[4 * n + 1], mesh.reference[4 * n + 2]};
-      };
-      Vector3 X{};
+      const auto N = shape(xi);
+      Vector3    X{};
       for (int v = 0; v < 8; ++v)
-        add(X, N[v], reference(nodes[v]));
+        add(X, N[v], mesh.place(nodes[v]));
       Stress s{};
       for (int v = 0; v < 8; ++v)
         {
-          const Vector3 away = X - reference(nodes[v]);
+          const Vector3 away = X - mesh.place(nodes[v]);
           for (int k = 0; k < 6; ++k)
             {
               double change = 0;

@@ -1,4 +1,3 @@
-#include <wheelrail/sampling/fields.h>
 #include <wheelrail/sampling/residual.h>
 #include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/point_state.h>

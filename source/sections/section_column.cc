@@ -1,7 +1,6 @@
 #include <wheelrail/sections/section_column.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace wheelrail

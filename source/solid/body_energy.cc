@@ -26,6 +26,7 @@ namespace wheelrail
           // v(n-1/2) m v(n+1/2)/2 = m v^2/2 + dt f . v/2 with v = v(n-1/2), f the elements' forces and the
           // weight
           sum[0] += 0.5 * time_step * (f[0] * v[0] + f[1] * v[1] + f[2] * v[2] - inertia[n].weight * v[1]);
+          // potential of the weight, m g u_y
           sum[0] += inertia[n].weight * solid.displacement[4 * n + 1];
           if (solid.mesh.owns(n))
             sum[0] += 0.5 / inertia[n].inverse_mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);

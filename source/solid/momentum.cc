@@ -4,8 +4,6 @@
 #include <wheelrail/solid/momentum.h>
 
 #include <array>
-#include <cmath>
-#include <cstdint>
 
 // Linear and angular momentum over a change of the mesh: interpolated velocities on other nodal masses have
 // others. Rigid motions are added, first to what has changed, then to all.
@@ -119,13 +117,6 @@ namespace wheelrail
       }
     };
 
-    Vector3
-    velocity(const Solid &solid, const std::size_t node)
-    {
-      const double *v = &solid.velocity[4 * node];
-      return {v[0], v[1], v[2]};
-    }
-
     /// Over the owned nodes that have mass in mass[4 node + part]; the free ones alone when `inertia` is
     /// given.
     Moments
@@ -138,7 +129,8 @@ namespace wheelrail
       Moments moments;
       for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
         if (solid.mesh.owns(n) && mass[4 * n + part] > 0 && (!inertia || (*inertia)[n].inverse_mass > 0))
-          moments.add(mass[4 * n + part], solid.position(static_cast<unsigned int>(n)), velocity(solid, n));
+          moments.add(
+            mass[4 * n + part], solid.position(static_cast<unsigned int>(n)), vector_at(solid.velocity, n));
       ordered_sum(moments.sums, communicator);
       return moments;
     }

@@ -1,5 +1,6 @@
 #include <wheelrail/solid/patch_slopes.h>
 
+#include <algorithm>
 #include <cmath>
 
 // Slopes of the stresses in the elements by least squares over the elements around them, from moments at the
@@ -71,13 +72,6 @@ namespace wheelrail::patches
   } // namespace
 
 
-  Vector3
-  reference_place(const LocalMesh &mesh, const unsigned int node)
-  {
-    return {mesh.reference[4 * node], mesh.reference[4 * node + 1], mesh.reference[4 * node + 2]};
-  }
-
-
   std::vector<Moments>
   nodal_moments(const LocalMesh &mesh, const std::vector<Element> &elements)
   {
@@ -87,7 +81,7 @@ namespace wheelrail::patches
         {
           Moments &m = moments[node];
           // moments with the volume as weight, d from the node to the element's centre
-          const Vector3 d = element.centre - reference_place(mesh, node);
+          const Vector3 d = element.centre - mesh.place(node);
           const double  V = element.volume;
           m.volume += V;
           m.flowed += element.flowed ? V : 0;
@@ -134,10 +128,7 @@ namespace wheelrail::patches
         const double size = std::cbrt(element.volume);
         for (const unsigned int node : *element.nodes)
           // patch of an element: all elements around its eight nodes, counted by their nodes
-          add_moved(around,
-                    moments[node],
-                    reference_place(mesh, node) - element.centre,
-                    share_of(moments[node], size));
+          add_moved(around, moments[node], mesh.place(node) - element.centre, share_of(moments[node], size));
         gradients.push_back(slope(around));
       }
     return gradients;

@@ -1,7 +1,6 @@
 #include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/solid.h>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 

@@ -1,3 +1,4 @@
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/solid/solid.h>
 
 #include <algorithm>
@@ -16,16 +17,6 @@ namespace wheelrail
       PerBody<std::vector<ElementGeometry>>             geometry;
       PerBody<std::vector<std::array<unsigned int, 8>>> cells;
     };
-
-    std::array<Vector3, 8>
-    vertices(const LocalMesh &mesh, const std::array<unsigned int, 8> &cell)
-    {
-      std::array<Vector3, 8> X;
-      for (int a = 0; a < 8; ++a)
-        for (int i = 0; i < 3; ++i)
-          X[a][i] = mesh.reference[4 * cell[a] + i];
-      return X;
-    }
 
     /// Smallest corner Jacobian over the mean Jacobian of a cell.
     double
@@ -60,7 +51,7 @@ namespace wheelrail
       for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
         {
           const Body body = solid.mesh.cell_body[c];
-          const auto X    = vertices(solid.mesh, solid.mesh.cells[c]);
+          const auto X    = solid.mesh.places(solid.mesh.cells[c]);
           const auto g    = element_geometry(X);
           elements.geometry[body].push_back(g);
           elements.cells[body].push_back(solid.mesh.cells[c]);
@@ -139,26 +130,14 @@ namespace wheelrail
                 stable.body   = body;
                 stable.length = std::cbrt(elements.geometry[body][e].volume);
                 stable.place  = {0, 0, 0};
-                for (const auto &x : vertices(solid.mesh, elements.cells[body][e]))
+                for (const auto &x : solid.mesh.places(elements.cells[body][e]))
                   add(stable.place, 1. / 8, x);
               }
           }
-      struct
-      {
-        double value;
-        int    rank;
-      } best;
-      best.value = largest;
-      MPI_Comm_rank(communicator, &best.rank);
-      MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator);
-      double data[5] = {
-        double(stable.body), stable.length, stable.place[0], stable.place[1], stable.place[2]};
-      MPI_Bcast(data, 5, MPI_DOUBLE, best.rank, communicator);
-      stable.body   = static_cast<Body>(static_cast<int>(data[0]));
-      stable.length = data[1];
-      stable.place  = {data[2], data[3], data[4]};
-      stable.step   = stable_step(best.value, coefficient);
-      return stable;
+      stable.step    = stable_step(largest, coefficient);
+      const auto all = gather_values(stable, communicator);
+      return *std::min_element(
+        all.begin(), all.end(), [](const StableStep &a, const StableStep &b) { return a.step < b.step; });
     }
   } // namespace
 
@@ -203,9 +182,7 @@ namespace wheelrail
     for (const BoundaryFace &face : solid.mesh.faces)
       if (face.mark == Boundary::running && face.strip)
         {
-          std::array<Vector3, 4> X;
-          for (int a = 0; a < 4; ++a)
-            std::copy_n(&solid.mesh.reference[4 * face.nodes[a]], 3, X[a].begin());
+          const std::array<Vector3, 4> X = solid.mesh.places(face.nodes);
           // a quarter of the facet's area |d1 x d2|/2, d1, d2 its diagonals, times the mass per area [kg/m2]
           const double share = density * norm(cross(X[3] - X[0], X[2] - X[1])) / 8;
           for (const unsigned int node : face.nodes)
@@ -230,7 +207,7 @@ namespace wheelrail
     for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
       if (solid.mesh.owns(n) && solid.mesh.node_body[n] == body)
         {
-          const double *X = &solid.mesh.reference[4 * n];
+          const Vector3 X = solid.mesh.place(n);
           sum[0] += solid.mass[n];
           for (int i = 0; i < 3; ++i)
             sum[1 + i] += solid.mass[n] * X[i];

@@ -2,7 +2,6 @@
 #include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/stress_recovery.h>
 
-#include <algorithm>
 #include <cmath>
 
 // Nodal stresses (doc/theory/element.md, Stresses at nodes): 1. slopes of elements; 2. their means at nodes;
@@ -47,7 +46,7 @@ namespace wheelrail
               const auto &nodes = solid.mesh.cells[solid.block_cells[body][e]];
               Vector3     centre{};
               for (const unsigned int node : nodes)
-                add(centre, 0.125, reference_place(solid.mesh, node));
+                add(centre, 0.125, solid.mesh.place(node));
               elements.push_back({&nodes, centre, stress[body][e], blocks.volume[e], strain[e] > 0});
             }
         }
@@ -64,7 +63,7 @@ namespace wheelrail
         for (const unsigned int node : *elements[e].nodes)
           {
             const Element &element = elements[e];
-            const Vector3  d       = element.centre - reference_place(solid.mesh, node);
+            const Vector3  d       = element.centre - solid.mesh.place(node);
             GradientSum   &all     = sums[node];
             add(all.place, element.volume, d + gradients[e].place);
             for (int i = 0; i < 3; ++i)
@@ -95,7 +94,7 @@ namespace wheelrail
         for (int v = 0; v < 8; ++v)
           {
             const unsigned int n = (*element.nodes)[v];
-            place[v]             = reference_place(solid.mesh, n) - element.centre;
+            place[v]             = solid.mesh.place(n) - element.centre;
             add(place[v], 1 / moments[n].volume, gradients[n].place);
             add(middle, 0.125, place[v]);
           }
@@ -163,7 +162,7 @@ namespace wheelrail
           const std::array<Stress, 3> change = bend.along(-1. * gradients[e].place);
           for (const unsigned int node : *element.nodes)
             {
-              const Vector3 d       = element.centre - reference_place(solid.mesh, node);
+              const Vector3 d       = element.centre - solid.mesh.place(node);
               const auto    to_mean = bend.along((1 / moments[node].volume) * moments[node].d);
               for (int i = 0; i < 3; ++i)
                 for (int k = 0; k < 6; ++k)
@@ -229,7 +228,7 @@ namespace wheelrail
           Stress centre{};
           for (const unsigned int node : *element.nodes)
             {
-              const Vector3 away = element.centre - reference_place(solid.mesh, node);
+              const Vector3 away = element.centre - solid.mesh.place(node);
               for (int k = 0; k < 6; ++k)
                 {
                   double change = 0;

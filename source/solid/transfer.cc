@@ -9,8 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
-#include <unordered_set>
-#include <vector>
 
 namespace wheelrail
 {
@@ -26,12 +24,6 @@ namespace wheelrail
       for (int i = 0; i < 3; ++i)
         y[i] = H[3 * i] * x[0] + H[3 * i + 1] * x[1] + H[3 * i + 2] * x[2];
       return y;
-    }
-
-    Vector3
-    three(const AlignedVector<double> &values, const std::size_t node)
-    {
-      return {values[4 * node], values[4 * node + 1], values[4 * node + 2]};
     }
 
     void
@@ -138,9 +130,9 @@ namespace wheelrail
           KeyedValue &keyed = own.emplace_back();
           keyed.key         = mesh.node_key[n];
           Value &value      = keyed.value;
-          value.X           = three(mesh.reference, n);
-          value.u           = three(before_.displacement, n);
-          value.v           = three(before_.velocity, n);
+          value.X           = mesh.place(n);
+          value.u           = vector_at(before_.displacement, n);
+          value.v           = vector_at(before_.velocity, n);
           std::copy_n(&gradient_u_[9 * n], 9, value.H.begin());
           std::copy_n(&gradient_v_[9 * n], 9, value.D.begin());
         }
@@ -225,7 +217,7 @@ namespace wheelrail
         if (hanging[n] ||
             !find(after, n, corner[n] == none ? mesh.cells.size() : corner[n] / 8, corner[n] % 8, value))
           continue;
-        const Vector3 off = three(mesh.reference, n) - value.X;
+        const Vector3 off = mesh.place(n) - value.X;
         if (off != Vector3{0, 0, 0})
           {
             // u_new = u_old + (F - I) dX, v_new = v_old + dF/dt dX, dX = X_new - X_old: surfaces are curved,
@@ -266,7 +258,7 @@ namespace wheelrail
         {
           const Value &old = values_[found->second];
           same_node[n] =
-            near(old.X, three(mesh.reference, n), 1e-14) && near(old.v, three(after.velocity, n), 1e-13);
+            near(old.X, mesh.place(n), 1e-14) && near(old.v, vector_at(after.velocity, n), 1e-13);
         }
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       same[c] = cell_.count(mesh.cell_key[c]) > 0 &&

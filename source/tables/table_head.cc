@@ -1,5 +1,4 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/shown_text.h>
 #include <wheelrail/tables/table_head.h>
 #include <wheelrail/tables/text_rows.h>
 

@@ -17,12 +17,6 @@ namespace wheelrail
       return b > a ? (b - a) * (zero - 0.5 * (a + b)) / (zero - one) : 0;
     }
 
-    Vector3
-    place(const LocalMesh &mesh, const unsigned int node)
-    {
-      const double *X = &mesh.reference[4 * node];
-      return {X[0], X[1], X[2]};
-    }
   } // namespace
 
 
@@ -52,10 +46,8 @@ namespace wheelrail
     for (const BoundaryFace &face : mesh.faces)
       if (face.mark == Boundary::foot)
         {
-          std::array<Vector3, 4> X;
-          for (int a = 0; a < 4; ++a)
-            X[a] = place(mesh, face.nodes[a]);
-          const Vector3 across = 0.5 * cross(X[3] - X[0], X[2] - X[1]);
+          const std::array<Vector3, 4> X      = mesh.places(face.nodes);
+          const Vector3                across = 0.5 * cross(X[3] - X[0], X[2] - X[1]);
           add(normal, across[1] > 0 ? 1 : -1, across);
           // sections stand across the track: two nodes at either end of the face
           const auto [low, high] = std::minmax({X[0][2], X[1][2], X[2][2], X[3][2]});

@@ -86,7 +86,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < foot.nodes.size(); ++k)
       {
         const unsigned int n = foot.nodes[k];
-        const double      *X = &solid.mesh.reference[4 * n];
+        const Vector3      X = solid.mesh.place(n);
         Bearing            bearing{n, 0, foot.area[k] / of_one, double(solid.mesh.owns(n)), 0};
         bearing.key = solid.mesh.node_key[n];
         if (!data_.continuous) // the nearest: pads lie apart by more than a block
@@ -98,7 +98,7 @@ namespace wheelrail
                                                        }) -
                                       sleepers_.begin());
         bearings_.push_back(bearing);
-        at_.push_back({X[0], X[1], X[2]});
+        at_.push_back(X);
       }
   }
 

@@ -5,7 +5,6 @@
 #include <wheelrail/verdict/measures.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace wheelrail
 {

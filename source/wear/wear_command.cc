@@ -1,6 +1,5 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
-#include <wheelrail/base/hints.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/progress.h>
 #include <wheelrail/base/read_file.h>
@@ -11,7 +10,6 @@
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/input/without_effect.h>
-#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/state/checkpoint_checks.h>

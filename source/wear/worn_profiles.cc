@@ -3,7 +3,6 @@
 #include <wheelrail/wear/worn_profiles.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>

@@ -6,8 +6,6 @@
 #include <wheelrail/wheel/wheel_load.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace wheelrail
 {

@@ -2,12 +2,10 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/base/progress.h>
 #include <wheelrail/base/value_list.h>
-#include <wheelrail/wheel/halfspace_parts.h>
 #include <wheelrail/wheel/irregular_places.h>
 #include <wheelrail/wheel/noise_effect.h>
 #include <wheelrail/wheel/plane_contact.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

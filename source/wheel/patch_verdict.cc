@@ -1,6 +1,4 @@
 #include <wheelrail/model/expected_patch.h>
-#include <wheelrail/scene/steels.h>
-#include <wheelrail/verdict/rules.h>
 #include <wheelrail/wheel/contact_intervals.h>
 #include <wheelrail/wheel/patch_verdict.h>
 

@@ -1,11 +1,9 @@
-#include <wheelrail/planes/common_creepage.h>
 #include <wheelrail/wheel/load_search.h>
 #include <wheelrail/wheel/several_patches.h>
 #include <wheelrail/wheel/wheel_contacts.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace wheelrail
 {

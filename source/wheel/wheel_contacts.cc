@@ -4,9 +4,7 @@
 
 #include <boost/math/tools/roots.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <utility>
 

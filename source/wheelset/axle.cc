@@ -2,7 +2,6 @@
 #include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/wheelset/axle.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace wheelrail
@@ -29,9 +28,8 @@ namespace wheelrail
     double totals[2] = {0, 0};
     for (const unsigned int n : bore_)
       {
-        const double *X         = &solid.mesh.reference[4 * n];
         inertia[n].inverse_mass = 0;
-        arm_.push_back(Vector3{X[0], X[1], X[2]} - data_.centre);
+        arm_.push_back(solid.mesh.place(n) - data_.centre);
         if (solid.mesh.owns(n))
           {
             const Vector3 radial = arm_.back() - dot(arm_.back(), data_.axis) * data_.axis;

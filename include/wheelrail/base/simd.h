@@ -2,10 +2,8 @@
 
 #include <experimental/simd>
 
-#include <cstddef>
-#include <cstdlib>
-#include <memory>
-#include <new>
+#include <boost/align/aligned_allocator.hpp>
+
 #include <vector>
 
 namespace wheelrail
@@ -30,46 +28,7 @@ namespace wheelrail
   }
 #pragma GCC diagnostic pop
 
-  /// Allocator on cache-line borders, so that packed data can be loaded with aligned instructions.
+  /// On cache-line borders, so that packed data can be loaded with aligned instructions.
   template <typename T>
-  struct AlignedAllocator
-  {
-    using value_type   = T;
-    AlignedAllocator() = default;
-    template <typename U>
-    AlignedAllocator(const AlignedAllocator<U> &)
-    {
-    }
-
-    T *
-    allocate(const std::size_t n)
-    {
-      void *p = std::aligned_alloc(64, (n * sizeof(T) + 63) / 64 * 64);
-      if (p == nullptr)
-        throw std::bad_alloc();
-      return static_cast<T *>(p);
-    }
-
-    void
-    deallocate(T *p, std::size_t)
-    {
-      std::free(p);
-    }
-
-    template <typename U>
-    bool
-    operator==(const AlignedAllocator<U> &) const
-    {
-      return true;
-    }
-    template <typename U>
-    bool
-    operator!=(const AlignedAllocator<U> &) const
-    {
-      return false;
-    }
-  };
-
-  template <typename T>
-  using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+  using AlignedVector = std::vector<T, boost::alignment::aligned_allocator<T, 64>>;
 } // namespace wheelrail

@@ -6,7 +6,6 @@
 
 #include <mpi.h>
 
-#include <array>
 #include <vector>
 
 namespace wheelrail

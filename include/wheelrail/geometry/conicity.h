@@ -2,7 +2,6 @@
 
 #include <wheelrail/geometry/contact_geometry.h>
 
-#include <string>
 #include <vector>
 
 namespace wheelrail

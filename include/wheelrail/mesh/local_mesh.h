@@ -2,6 +2,7 @@
 
 #include <wheelrail/base/body.h>
 #include <wheelrail/base/simd.h>
+#include <wheelrail/base/vector3.h>
 #include <wheelrail/mesh/section.h>
 
 #include <array>
@@ -26,6 +27,13 @@ namespace wheelrail
     bool                        finest;        ///< belongs to a cell of the finest level
     bool                        strip = false; ///< of a block below the strip where contact can happen
   };
+
+  /// The vector that the first three of a node's four numbers are.
+  inline Vector3
+  vector_at(const AlignedVector<double> &values, const std::size_t node)
+  {
+    return {values[4 * node], values[4 * node + 1], values[4 * node + 2]};
+  }
 
   /// The nodes and cells of one rank as plain arrays: everything the explicit solver needs of a mesh.
   ///
@@ -68,6 +76,24 @@ namespace wheelrail
     owns(const std::size_t node) const
     {
       return node < n_owned;
+    }
+
+    /// Reference place of a node [m].
+    Vector3
+    place(const std::size_t node) const
+    {
+      return vector_at(reference, node);
+    }
+
+    /// Those of the corners of a cell, or a face.
+    template <std::size_t n>
+    std::array<Vector3, n>
+    places(const std::array<unsigned int, n> &nodes) const
+    {
+      std::array<Vector3, n> X;
+      for (std::size_t a = 0; a < n; ++a)
+        X[a] = place(nodes[a]);
+      return X;
     }
 
     /// A number from -1 to 1 for a component of a node that looks like chance, alike on every partition.

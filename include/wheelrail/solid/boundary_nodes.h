@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include <mpi.h>
 
 namespace wheelrail
 {

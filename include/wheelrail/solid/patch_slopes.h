@@ -5,7 +5,6 @@
 #include <wheelrail/mesh/local_mesh.h>
 #include <wheelrail/solid/exchange.h>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -23,10 +22,6 @@ namespace wheelrail::patches
     double                             volume; ///< [m3]
     bool                               flowed;
   };
-
-  /// Reference coordinates of a node [m].
-  Vector3
-  reference_place(const LocalMesh &mesh, unsigned int node);
 
   /// Sums over the elements around a point, weighted by volume; d counts from the point to the centres
   /// (reference).

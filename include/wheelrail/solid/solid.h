@@ -5,7 +5,6 @@
 #include <wheelrail/solid/kernel.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include <mpi.h>
@@ -83,8 +82,7 @@ namespace wheelrail
     Vector3
     position(const unsigned int node) const
     {
-      const double *X = &mesh.reference[4 * node], *u = &displacement[4 * node];
-      return {X[0] + u[0], X[1] + u[1], X[2] + u[2]};
+      return mesh.place(node) + vector_at(displacement, node);
     }
   };
 

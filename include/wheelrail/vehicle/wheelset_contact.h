@@ -5,7 +5,6 @@
 #include <wheelrail/vehicle/axle_contact.h>
 
 #include <optional>
-#include <string>
 
 namespace wheelrail
 {
