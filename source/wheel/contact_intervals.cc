@@ -16,11 +16,11 @@ namespace wheelrail
     struct ElementResult
     {
       const char *name;
-      double      value;   ///< [SI]
-      bool        creep;   ///< errs with the first power of the element size, else with the second
-      double      scale;   ///< that is natural to it [SI]
-      double      floor;   ///< spread times the elements across the patch, over the scale
-      double      own = 0; ///< the same over the result itself
+      double      value; ///< [SI]
+      bool   creep;   ///< errs with the first power of the element size, else with the second, or by chance
+      double scale;   ///< that is natural to it [SI]
+      double floor;   ///< spread times the elements across the patch, over the scale
+      double own = 0; ///< the same over the result itself
     };
 
     /// Results of one patch, forces those on the wheel. The floors are
@@ -46,7 +46,7 @@ namespace wheelrail
         return results;
       const double bound = problem.friction.at(0) * s.fn, creep = half_saturation(problem, s, measures);
       results.push_back(
-        {"max_shear_traction", measures.max_traction, true, problem.friction.at(0) * peak, 1.6});
+        {"max_shear_traction", measures.max_traction, false, problem.friction.at(0) * peak, 1.0});
       results.push_back({"stick_fraction", measures.stick_fraction, true, 1, 0.8});
       results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.07, 0.2});
       results.push_back({"lateral_force", -std::cos(patch.angle) * s.fy, true, bound, 0.2});

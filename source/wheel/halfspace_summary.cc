@@ -220,7 +220,8 @@ namespace wheelrail
   namespace
   {
     /// Frictional power and the worn section go with the friction work, and so with what is known of
-    /// T-gamma; the section with slip and pressure of single elements, too.
+    /// T-gamma; the section with slip and pressure of single elements, too, which hide a trend over their
+    /// size.
     Contributions
     with_friction_work(const Contributions &contributions, const Summary &results)
     {
@@ -231,7 +232,10 @@ namespace wheelrail
         if (const double share = value(name) / value("t_gamma"); std::isfinite(share))
           for (const Contribution &one : contributions)
             if (one.result == "t_gamma")
-              all.push_back({name, one.cause, share * one.shift, share * one.spread});
+              all.push_back({name,
+                             one.cause,
+                             std::string(name) == "archard_section" ? 0 : share * one.shift,
+                             share * one.spread});
       const double across =
         std::min(results.patch_lateral, results.patch_longitudinal) / get_figure(results, "grid_spacing_m");
       if (const double spread = of_elements / across * value("archard_section"); std::isfinite(spread))
