@@ -268,6 +268,22 @@ namespace
       "--overwrite to start anew.",
       "rows of another scene");
 
+    // lines of another content than they were written with are solved again, a file without a head is refused
+    std::string lines;
+    std::getline(std::ifstream("rows.kept"), lines, '\0');
+    for (std::size_t at = 0; (at = lines.find("max_pressure_Pa", at + 1)) != std::string::npos;)
+      lines[at + 20] ^= 1;
+    std::ofstream("rows.kept") << lines;
+    check(VehicleRows("rows.kept", "a scene", motion).count() == 0, "rows with another digit are not taken");
+    for (const char *const text : {"", "{\"scene\": \"a sc", "[1, 2]\n"})
+      {
+        std::ofstream("rows.kept") << text;
+        check(test::message_of([&]() {
+                VehicleRows("rows.kept", "a scene", motion);
+              }).find("\"rows.kept\": rows of an unknown scene, from a call that was interrupted") == 0,
+              std::string("rows in a file that is damaged: ") + text);
+      }
+
     // a row is the scene with its values
     Scene row                    = scene;
     row.lateral_shift            = 1e-3;

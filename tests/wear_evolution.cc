@@ -231,11 +231,17 @@ namespace
       same =
         same && state.rail.points[k].y == whole.rail.points[k].y && state.wheel.depth == whole.wheel.depth;
     check(same, "stopped and gone on to the same bits");
-    std::ofstream("wear_state.json") << "{";
-    test::check_text(test::message_of([]() { read_wear_state("wear_state.json"); }),
-                     "\"wear_state.json\": damaged, so that it cannot be resumed. Choose another "
-                     "Output/Folder, or give --overwrite to start anew.",
-                     "half a file");
+    std::string text;
+    std::getline(std::ifstream("wear_state.json"), text);
+    text[text.find("\"depth\":[") + 12] ^= 1;
+    for (const std::string &damaged : {std::string("{"), text})
+      {
+        std::ofstream("wear_state.json") << damaged;
+        test::check_text(test::message_of([]() { read_wear_state("wear_state.json"); }),
+                         "\"wear_state.json\": damaged, so that it cannot be resumed. Choose another "
+                         "Output/Folder, or give --overwrite to start anew.",
+                         "half a file, another digit");
+      }
   }
 
   /// S1002 new: flange 28 mm high, 32.5 mm thick, qR 10.8 mm (EN 13715).

@@ -3,9 +3,11 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/vehicle/vehicle_rows.h>
 
+#include <boost/crc.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -27,11 +29,24 @@ namespace wheelrail
       return json;
     }
 
-    /// A line of the file, or null where it is none: the last one of a call that was killed may be torn.
+    /// The text of a line with its checksum behind it.
+    std::string
+    with_sum(const std::string &text)
+    {
+      boost::crc_32_type sum;
+      sum.process_bytes(text.data(), text.size());
+      char shown[12];
+      std::snprintf(shown, sizeof shown, " %08x", static_cast<unsigned int>(sum.checksum()));
+      return text + shown;
+    }
+
+    /// A line of the file, or null where it is none or its checksum is another: the last one of a call that
+    /// was killed may be torn.
     Json
     read_line(const std::string &line)
     {
-      const Json json = Json::parse(line, nullptr, false);
+      const std::string text = line.substr(0, line.rfind(' '));
+      const Json        json = line == with_sum(text) ? Json::parse(text, nullptr, false) : Json();
       return json.is_object() ? json : Json();
     }
   } // namespace
@@ -47,7 +62,7 @@ namespace wheelrail
     std::istringstream lines(read_whole_file(path_));
     std::string        line;
     std::getline(lines, line);
-    if (const Json head = read_line(line); head.value("scene", "") != digest_)
+    if (const Json head = read_line(line); head.is_null() || head.value("scene", Json()) != digest_)
       throw InputError(
         "\"" + path_ + "\": rows of " +
         (head.is_null() ? "an unknown scene" : "another scene, or of another version of the program") +
@@ -105,11 +120,11 @@ namespace wheelrail
       json["wheels"].push_back({{"figures", summary_as_text(wheel.rows[row])}, {"fault", wheel.faults[row]}});
     if (!vehicle.axle.empty())
       json["axle"] = summary_as_text(vehicle.axle[row]);
-    const std::string                 line = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string line = with_sum(json.dump(-1, ' ', false, Json::error_handler_t::replace));
     const std::lock_guard<std::mutex> guard(lock_);
     const bool                        first = !std::filesystem::exists(path_);
     // the line feed comes first, so that a torn line harms no other
-    append_to_file(path_, (first ? Json{{"scene", digest_}}.dump() : "") + "\n" + line);
+    append_to_file(path_, (first ? with_sum(Json{{"scene", digest_}}.dump()) : "") + "\n" + line);
     kept_[row] = line;
   }
 } // namespace wheelrail

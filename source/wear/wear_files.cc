@@ -2,6 +2,7 @@
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/wear/wear_files.h>
 
+#include <boost/crc.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -81,6 +82,14 @@ namespace wheelrail
       return json;
     }
 
+    std::string
+    checksum(const std::string &text)
+    {
+      boost::crc_32_type sum;
+      sum.process_bytes(text.data(), text.size());
+      return std::to_string(sum.checksum());
+    }
+
     WornShape
     shape_from(const Json &json)
     {
@@ -115,6 +124,7 @@ namespace wheelrail
     for (WearStep step : state.steps)
       for (const Quantity &quantity : quantities()) // JSON has null for what is no number
         json["steps"][quantity.name].push_back(quantity.of(step));
+    json["checksum"] = checksum(json.dump());
     return json.dump() + "\n";
   }
 
@@ -124,10 +134,18 @@ namespace wheelrail
   {
     if (!std::filesystem::exists(path))
       return {};
+    const InputError damaged(
+      "\"" + path +
+      "\": damaged, so that it cannot be resumed. Choose another Output/Folder, or give "
+      "--overwrite to start anew.");
     try
       {
-        const Json json = Json::parse(read_whole_file(path));
-        WearState  state{shape_from(json.at("new_rail")),
+        Json              json = Json::parse(read_whole_file(path));
+        const std::string sum  = json.at("checksum");
+        json.erase("checksum");
+        if (checksum(json.dump()) != sum)
+          throw damaged;
+        WearState state{shape_from(json.at("new_rail")),
                         shape_from(json.at("new_wheel")),
                         shape_from(json.at("rail")),
                         shape_from(json.at("wheel")),
@@ -151,9 +169,7 @@ namespace wheelrail
       }
     catch (const Json::exception &)
       {
-        throw InputError("\"" + path +
-                         "\": damaged, so that it cannot be resumed. Choose another Output/Folder, or give "
-                         "--overwrite to start anew.");
+        throw damaged;
       }
   }
 
