@@ -99,6 +99,7 @@ namespace
   run_in_parallel(int argc, char **argv, const Arguments &arguments)
   {
     dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    catch_interrupts(); // MPI has put SIGTERM back to what ends the process
     // its own communicator: a failed rank's barrier must not meet other pending messages
     MPI_Comm comm;
     MPI_Comm_dup(MPI_COMM_WORLD, &comm);

@@ -117,7 +117,14 @@ def mount(folder, size):
 # --- the tests ------------------------------------------------------------------------------------
 
 def interrupt():
-    """SIGUSR1, as the launcher sends it for Ctrl-C: saved, with exit code 3."""
+    """SIGUSR1, as the launcher sends it for Ctrl-C, and SIGTERM to one process: saved, with exit code 3."""
+    alone = os.path.abspath("alone")
+    shutil.rmtree(alone, ignore_errors=True)
+    process = start(alone)
+    wait_for(os.path.join(alone, "checkpoint.json"), "checkpoint_1.h5", process)
+    process.send_signal(signal.SIGTERM)
+    check(process.wait() == 3, "a process that is asked to end does so with exit code 3")
+    check(summary_of(alone)["stopped_because"] == "interrupted", "and has saved its run")
     folder = os.path.abspath("base")
     shutil.rmtree(folder, ignore_errors=True)
     process = start(folder, ranks=2)
