@@ -53,6 +53,25 @@ namespace
     check_text(message_of(text), "x.inp:" + fault.expected, name);
   }
 
+  /// A file that cannot be read is bad input, not a fault of what is computed.
+  void
+  test_files_that_are_none()
+  {
+    std::string told;
+    try
+      {
+        read_inp_file("nothing.inp");
+      }
+    catch (const InputError &error)
+      {
+        told = error.what();
+      }
+    check_text(told,
+               "The file \"nothing.inp\" cannot be read: No such file or directory. An input file of CONTACT "
+               "(.inp) is needed.",
+               "a file that is not there");
+  }
+
   void
   test_files_cut_off()
   {
@@ -379,6 +398,7 @@ int
 main()
 {
   test::make_profiles();
+  test_files_that_are_none();
   test_files_cut_off();
   test_faults_of_files();
   test_faults_of_digits();

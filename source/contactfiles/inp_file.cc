@@ -148,6 +148,15 @@ namespace wheelrail
   std::vector<ContactCase>
   read_inp_file(const std::string &path)
   {
-    return read_inp_text(read_whole_file(path), path);
+    std::string text;
+    try
+      {
+        text = read_whole_file(path);
+      }
+    catch (const RunError &error)
+      {
+        throw InputError(std::string(error.what()) + " An input file of CONTACT (.inp) is needed.");
+      }
+    return read_inp_text(text, path);
   }
 } // namespace wheelrail
