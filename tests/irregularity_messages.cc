@@ -21,6 +21,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
+
 using namespace wheelrail;
 using test::check;
 
@@ -159,13 +161,17 @@ namespace
   }
 
   void
-  write_datasets(const char *name, const std::vector<double> &along, const std::vector<double> &height)
+  write_datasets(const char                 *name,
+                 const std::vector<double>  &along,
+                 const std::vector<double>  &height,
+                 const std::vector<hsize_t> &shape = {})
   {
     const hid_t               file   = H5Fcreate(name, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
     const std::vector<double> across = {-6, -2, 2, 6};
     hdf5::write_dataset(file, "along_mm", {along.size()}, along, "mm");
     hdf5::write_dataset(file, "across_mm", {across.size()}, across, "mm");
-    hdf5::write_dataset(file, "height_um", {height.size()}, height, "um");
+    hdf5::write_dataset(
+      file, "height_um", shape.empty() ? std::vector<hsize_t>{height.size()} : shape, height, "um");
     H5Fclose(file);
   }
 
@@ -222,6 +228,11 @@ namespace
       "\xEF\xBB\xBF"
       "along [mm];height [\xB5m]\r\n0;0\r\n1;-122,9\r\n2;0\r\n3;0\r\n");
     const std::vector<double> along = {0, 10, 20, 30};
+    write("sep.csv", "sep=;\r\nalong_mm;height_um\r\n0;0,0\r\n1;-0,5\r\n2;-0,5\r\n3;0\r\n");
+    check(read_height_file("sep.csv").height[1] == -0.5e-6, "a spreadsheet's word for its separator");
+    write("thousands.csv", "along_mm;height_um\n0;0\n1;-950\n2;-1,012\n3;0\n");
+    says(read("thousands.csv"),
+         "thousands.csv:4: \"2;-1,012\" has commas between digits that may be decimal");
     write_datasets("good.h5", along, std::vector<double>(16, 0.));
     check(read_height_file("good.h5").height.size() == 16, "a grid in an HDF5 file");
     write_datasets("few.h5", along, std::vector<double>(15, 0.));
@@ -234,11 +245,21 @@ namespace
     says(read("high.h5"), "high.h5: a height of 2000 mm; -5 mm to 5 mm is accepted");
     write_datasets("nan.h5", along, std::vector<double>(16, std::nan("")));
     says(read("nan.h5"), "nan.h5: a height that is no number; fill the holes of the grid");
+    write_datasets("place.h5", {0, 10, std::nan(""), 30}, std::vector<double>(16, 0.));
+    says(read("place.h5"), "place.h5: a place at nan mm; -1e+09 mm to 1e+09 mm is accepted there");
+    write_datasets("rows.h5", {0, 10, 20, 30, 40}, std::vector<double>(20, 0.), {4, 5});
+    check(read_height_file("rows.h5").height.size() == 20, "a row for each place across");
+    write_datasets("turned.h5", {0, 10, 20, 30, 40}, std::vector<double>(20, 0.), {5, 4});
+    says(read("turned.h5"),
+         "turned.h5: height_um has 5 rows of 4 heights for 4 places across and 5 along; a row for each "
+         "place across is needed: exchange rows and columns");
+    mkfifo("pipe.h5", 0600);
+    says(read("pipe.h5"), "\"pipe.h5\" is no ordinary file, but a pipe");
     H5Fclose(H5Fcreate("none.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
     says(read("none.h5"),
          "none.h5: no dataset along_mm (or _m, _um); along_mm, across_mm and height_um are needed");
     write("text.h5", "no such file");
-    says(read("text.h5"), "text.h5: no HDF5 file");
+    says(read("text.h5"), "text.h5: it is no HDF5 file, or not complete");
   }
 
   void

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -404,6 +405,31 @@ namespace
     check_near(-force[1], 1e4, 1, "vertical force on a nose of 1:10 [N]");
     check_near(force[2] / -force[1], 0.1, 1e-3, "force on the rail along the track, of the slope 1:10");
   }
+
+  /// How far slices are off as a whole is found over a dip of 1 mm, which is none of it.
+  void
+  noise_of_whole_slices()
+  {
+    for (const double noise : {0., 5e-6})
+      {
+        std::mt19937_64                  random(4);
+        std::normal_distribution<double> normal(0, 1);
+        Slices                           slices;
+        for (int k = -20; k <= 20; ++k)
+          {
+            const double        u   = 5e-3 * k;
+            const double        off = noise * normal(random) - 1e-3 * std::pow(std::cos(M_PI * u / 0.2), 4);
+            std::vector<Point2> points;
+            for (const Point2 &p : head_points())
+              points.push_back({1e-3 * p.x, off - 1e-3 * p.y});
+            slices.slices.push_back({u, points, {}, ""});
+          }
+        check_near(1e6 * SectionsSurface(slices, {}, -1, "noise.slcs").noise(),
+                   1e6 * noise,
+                   noise > 0 ? 1.5 : 0.3,
+                   "slices that are off as a whole [um]");
+      }
+  }
 } // namespace
 
 
@@ -417,5 +443,6 @@ main()
   part_that_begins();
   contact_rows();
   slope_along();
+  noise_of_whole_slices();
   return test::report();
 }

@@ -32,11 +32,10 @@ namespace
       m.peak_difference = 0;
       return judge_run(Scene(), m);
     };
-    check_text(
-      judged({0.07, "measured input"}, 0.05).doubts(),
-      "The noise in the points of the measured profiles leaves the peak pressure uncertain by 7.0 %; "
-      "take points with less noise or more digits.",
-      "noise");
+    check_text(judged({0.07, "measured input"}, 0.05).doubts(),
+               "The noise in measured points leaves the peak pressure uncertain by 7.0 %; "
+               "take points with less noise or more digits.",
+               "noise");
     check(judged({0.07, "measured input"}, 0.07).findings.empty(), "what was wanted");
     check(judged({0.07, "measured input"}, 0.03).grade() == Grade::not_trusted, "more than twice of it");
     holds(judged({INFINITY, "measured input"}, 0.05).doubts(), "uncertain by an unknown part", "no bound");

@@ -37,6 +37,22 @@ namespace wheelrail
   }
 
 
+  void
+  RunningSurface::draw_irregularities(const RunningSurface &other, const unsigned int draw)
+  {
+    constexpr unsigned int apart  = 1000; // numbers of the next one and of the other body
+    Irregularities         drawn  = other.irregularities();
+    unsigned int           number = draw + (body_ == Body::wheel ? 100 * apart : 0);
+    for (Irregularity &one : drawn)
+      {
+        if (one.drawn)
+          one.at = one.drawn(number);
+        number += apart;
+      }
+    set_irregularities(std::make_shared<const Irregularities>(std::move(drawn)), other.origin_);
+  }
+
+
   const Irregularities &
   RunningSurface::irregularities() const
   {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace wheelrail
 {
@@ -125,6 +126,25 @@ namespace wheelrail
       {
         throw InputError(entry + ": " + error.what());
       }
+  }
+
+
+  SectionsSurface
+  drawn_rail_slices(const ProfileSettings &scene,
+                    const SectionsSurface &rail,
+                    const Placement       &placement,
+                    const unsigned int     draw)
+  {
+    std::mt19937_64                  random(draw);
+    std::normal_distribution<double> normal(0, 1);
+    Slices                           slices = turned_slices(scene, rail.path());
+    for (Slices::Slice &slice : slices.slices)
+      {
+        const double off = rail.noise() * normal(random);
+        for (Point2 &p : slice.points)
+          p.y += off;
+      }
+    return {slices, placement, scene.rail_file.noise, rail.path(), 0.5e-3, scene.second_rail != "none"};
   }
 
 

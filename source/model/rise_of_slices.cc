@@ -6,7 +6,7 @@
 #include <wheelrail/model/rise_of_crossing.h>
 #include <wheelrail/model/rise_of_slices.h>
 #include <wheelrail/model/rise_over_section.h>
-#include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/profiles/height_noise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -196,6 +196,27 @@ namespace wheelrail
       return grid;
     }
 
+    /// Lets the slices of a shape be off as a whole by draws of their noise. `origin`: where the place 0 of
+    /// the slices lies along [m].
+    void
+    draw_slices(const Slices &slices, const double noise, const double origin, Irregularity &shape)
+    {
+      std::vector<double> places;
+      for (const Slices::Slice &slice : slices.slices)
+        places.push_back(slice.along + origin);
+      shape.drawn = [places, noise, at = shape.at](const unsigned int draw) {
+        HeightGrid line{places, {}, std::vector<double>(places.size(), 0.), {}, noise};
+        const auto off = grid_irregularity(with_noise(line, true, draw), 0, 0, 0).at;
+        return [at, off](const double across, const double along) {
+          IrregularHeight       height = at(across, along);
+          const IrregularHeight more   = off(across, along);
+          height.height += more.height;
+          height.along += more.along;
+          return height;
+        };
+      };
+    }
+
     /// What the wheel cannot touch: deeper than a chord of its circle by more than it is ever pressed in.
     Irregularity
     gap_between(const Range &gap, const double radius)
@@ -247,6 +268,8 @@ namespace wheelrail
     shape.shortest      = 8 * least;
     const double beside = 30e-3; // the head around the contact
     shape.measures = measures_of(shape, profiles.contact.rail_x - beside, profiles.contact.rail_x + beside);
+    if (const double noise = sliced.rails.front().noise(); noise > 0)
+      draw_slices(slices, noise, origin, shape);
     list.push_back(shape);
     return list;
   }

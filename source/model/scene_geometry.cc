@@ -5,6 +5,7 @@
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/note_lines.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace wheelrail
@@ -150,20 +151,44 @@ namespace wheelrail
   SceneGeometry
   drawn(const Scene &scene, const SceneGeometry &geometry, const unsigned int draw)
   {
-    std::vector<std::string> notes;
-    RailProfile              rail  = geometry.rail;
-    WheelProfile             wheel = geometry.wheel;
-    if (geometry.files.rail)
-      rail = rail_of(scene, drawn(*geometry.files.rail, 2 * draw), notes);
-    if (geometry.files.wheel)
-      wheel = wheel_of(scene, drawn(*geometry.files.wheel, 2 * draw + 1), notes);
-    SceneGeometry again{
-      touching_profiles(std::move(rail), std::move(wheel), scene.track, wheelset_pose(scene)),
-      {},
-      geometry.files};
-    again.surfaces.rail.take_irregularities(geometry.surfaces.rail);
-    again.surfaces.wheel.take_irregularities(geometry.surfaces.wheel);
+    SceneGeometry again = geometry;
+    if (geometry.files.rail || geometry.files.wheel)
+      {
+        std::vector<std::string> notes;
+        RailProfile              rail  = geometry.rail;
+        WheelProfile             wheel = geometry.wheel;
+        if (geometry.files.rail)
+          rail = rail_of(scene, drawn(*geometry.files.rail, 2 * draw), notes);
+        if (geometry.files.wheel)
+          wheel = wheel_of(scene, drawn(*geometry.files.wheel, 2 * draw + 1), notes);
+        again = {touching_profiles(std::move(rail), std::move(wheel), scene.track, wheelset_pose(scene)),
+                 {},
+                 geometry.files};
+      }
+    again.surfaces.rail.draw_irregularities(geometry.surfaces.rail, draw);
+    again.surfaces.wheel.draw_irregularities(geometry.surfaces.wheel, draw);
     return again;
+  }
+
+
+  bool
+  draws_irregularities(const SceneGeometry &geometry)
+  {
+    const auto measured = [](const RunningSurface &surface) {
+      const Irregularities &all = surface.irregularities();
+      return std::any_of(all.begin(), all.end(), [](const Irregularity &one) { return bool(one.drawn); });
+    };
+    return measured(geometry.surfaces.rail) || measured(geometry.surfaces.wheel);
+  }
+
+
+  SceneGeometry
+  standing(SceneGeometry geometry, const double place, const double pitch)
+  {
+    const double radius = geometry.contact.rolling_radius;
+    geometry.surfaces.rail.take_irregularities(geometry.surfaces.rail, place);
+    geometry.surfaces.wheel.take_irregularities(geometry.surfaces.wheel, -radius * pitch);
+    return geometry;
   }
 
 

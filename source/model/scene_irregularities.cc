@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/geometry/roughness.h>
@@ -30,20 +31,23 @@ namespace wheelrail
     };
 
     Irregularity
-    from_slices(const ProfileSettings  &scene,
-                const IrregularityData &data,
-                const TouchingProfiles &profiles,
-                const ShapePlace       &at)
+    from_slices(const ProfileSettings    &scene,
+                const IrregularityData   &data,
+                const TouchingProfiles   &profiles,
+                const ShapePlace         &at,
+                std::vector<std::string> &notes)
     {
       const ProfileFileOptions &options = at.wheel ? scene.wheel_file : scene.rail_file;
       const Slices              slices  = read_slices_file(data.file, options.unit);
       if (slices.wheel != at.wheel)
         throw InputError(data.file + ": slices of a " + (slices.wheel ? "wheel" : "rail") + " on the " +
                          (at.wheel ? "wheel" : "rail") + "; change Body");
-      const Curve &curve = at.wheel ? profiles.wheel.tread : profiles.rail.head;
-      return slices_irregularity(heights_of_slices(slices, curve, at.radius, options.noise, data.file),
-                                 at.size.place,
-                                 at.circumference());
+      const Curve     &curve = at.wheel ? profiles.wheel.tread : profiles.rail.head;
+      const HeightGrid grid  = heights_of_slices(slices, curve, at.radius, options.noise, data.file);
+      if (grid.noise > 0)
+        notes.push_back("slices off as a whole by " + text("%.2g um", 1e6 * grid.noise) +
+                        " from one to the next");
+      return slices_irregularity(grid, slices, at.size.place, options.noise, at.circumference());
     }
 
     Irregularity
@@ -55,10 +59,10 @@ namespace wheelrail
     {
       constexpr double least_step = 2e-6;
       if (is_slices_file(data.file))
-        return from_slices(scene, data, profiles, at);
+        return from_slices(scene, data, profiles, at, notes);
       const HeightGrid grid = read_height_file(data.file);
       notes.insert(notes.end(), grid.notes.begin(), grid.notes.end());
-      Irregularity shape = grid_irregularity(
+      Irregularity shape = measured_irregularity(
         grid, at.size.place, std::isfinite(data.lateral) ? data.lateral : 0, at.circumference());
       if (const double end = largest_end(grid); end > least_step && !shape.endless)
         throw InputError(data.file + ": the heights begin or end with a step of " + in_mm(end, 1e6) +

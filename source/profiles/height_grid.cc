@@ -1,6 +1,9 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/profiles/height_noise.h>
 #include <wheelrail/profiles/profile_text.h>
 #include <wheelrail/tables/table.h>
 #include <wheelrail/tables/text_rows.h>
@@ -18,7 +21,8 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double largest_height = 5e-3; // as Irregularity/Depth
+    constexpr double largest_height = 5e-3;                     // as Irregularity/Depth
+    constexpr double farthest_along = 1e6, farthest_across = 1; // [m]
 
     std::string
     in_millimetres(const double value)
@@ -62,16 +66,16 @@ namespace wheelrail
     HeightGrid
     read_grid(const std::string &path)
     {
-      const Table table =
-        read_table(path,
-                   {{"along", Dimension::length, -1e6, 1e6, "-1000 km to 1000 km", true},
-                    {"across", Dimension::length, -1, 1, "-1 m to 1 m"},
-                    {"height", Dimension::length, -largest_height, largest_height, "-5 mm to 5 mm", true}},
-                   {"heights are rows under names such as along_mm, across_mm (not of a line), height_um",
-                    true,
-                    {},
-                    "#%!",
-                    ""});
+      const Table table = read_table(
+        path,
+        {{"along", Dimension::length, -farthest_along, farthest_along, "-1000 km to 1000 km", true},
+         {"across", Dimension::length, -farthest_across, farthest_across, "-1 m to 1 m"},
+         {"height", Dimension::length, -largest_height, largest_height, "-5 mm to 5 mm", true}},
+        {"heights are rows under names such as along_mm, across_mm (not of a line), height_um",
+         true,
+         {},
+         "#%!",
+         ""});
       const std::vector<double> &along = *table.find(0), &height = *table.find(2);
       const std::vector<double> *across = table.find(1);
       HeightGrid grid{different(along), across ? different(*across) : std::vector<double>(), {}, table.notes};
@@ -124,27 +128,60 @@ namespace wheelrail
                        "_mm (or _m, _um); along_mm, across_mm and height_um are needed");
     }
 
+    /// Throws InputError where places are no numbers, far out or in no order.
+    void
+    check_places(const std::vector<double> &places, const double most, const std::string &path)
+    {
+      for (const double place : places)
+        if (!(std::abs(place) <= most))
+          throw InputError(path + ": a place at " + in_millimetres(place) + "; " + in_millimetres(-most) +
+                           " to " + in_millimetres(most) + " is accepted there");
+      if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<double>()) != places.end())
+        throw InputError(path + ": the places along or across do not ascend");
+    }
+
+    /// Throws InputError where heights in rows are not those of the places across.
+    void
+    check_rows(const hid_t file, const HeightGrid &grid, const std::string &path)
+    {
+      const std::size_t n = grid.along.size(), m = grid.across.size();
+      if (grid.height.size() != n * m)
+        throw InputError(path + ": " + std::to_string(grid.height.size()) + " heights for " +
+                         std::to_string(m) + " x " + std::to_string(n) +
+                         " places; a row for each place across is needed");
+      for (const std::string name : {"height_mm", "height_m", "height_um"})
+        if (H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0)
+          {
+            const hdf5::Handle   set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "read " + name);
+            const hdf5::Handle   space(H5Dget_space(set), H5Sclose, "read " + name);
+            std::vector<hsize_t> shape(std::max(0, H5Sget_simple_extent_ndims(space)));
+            H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+            if (shape.size() == 2 && shape[0] != m)
+              throw InputError(path + ": " + name + " has " + std::to_string(shape[0]) + " rows of " +
+                               std::to_string(shape[1]) + " heights for " + std::to_string(m) +
+                               " places across and " + std::to_string(n) +
+                               " along; a row for each place across is needed: exchange rows and columns");
+            return;
+          }
+    }
+
     HeightGrid
     read_datasets(const std::string &path)
     {
       const hdf5::Quiet quiet;
       try
         {
+          const std::string  bytes = read_whole_file(path);
           const hdf5::Handle file(
-            H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": no HDF5 file");
+            hdf5::open_in_memory(bytes), H5Fclose, "read " + path + ": it is no HDF5 file, or not complete");
           HeightGrid grid{lengths_of(file, path, "along"),
                           lengths_of(file, path, "across"),
                           lengths_of(file, path, "height"),
                           {}};
           require_enough(grid, path);
-          for (const auto *places : {&grid.along, &grid.across})
-            if (std::adjacent_find(places->begin(), places->end(), std::greater_equal<double>()) !=
-                places->end())
-              throw InputError(path + ": the places along or across do not ascend");
-          if (grid.height.size() != grid.along.size() * grid.across.size())
-            throw InputError(path + ": " + std::to_string(grid.height.size()) + " heights for " +
-                             std::to_string(grid.across.size()) + " x " + std::to_string(grid.along.size()) +
-                             " places; a row for each place across is needed");
+          check_places(grid.along, farthest_along, path);
+          check_places(grid.across, farthest_across, path);
+          check_rows(file, grid, path);
           for (const double height : grid.height)
             if (!std::isfinite(height))
               throw InputError(path + ": a height that is no number; fill the holes of the grid");
@@ -200,7 +237,12 @@ namespace wheelrail
   HeightGrid
   read_height_file(const std::string &path)
   {
-    return is_hdf5(path) ? read_datasets(path) : read_grid(path);
+    HeightGrid grid = is_hdf5(path) ? read_datasets(path) : read_grid(path);
+    find_noise(grid);
+    if (grid.noise > 0)
+      grid.notes.push_back("noise of " + text("%.2g um", 1e6 * grid.noise) +
+                           " found in the heights smoothed");
+    return grid;
   }
 
 
@@ -223,6 +265,24 @@ namespace wheelrail
     for (std::size_t k = 1; k < grid.along.size(); ++k)
       widest = std::max(widest, grid.along[k] - grid.along[k - 1]);
     shape.shortest = 8 * widest;
+    return shape;
+  }
+
+
+  Irregularity
+  measured_irregularity(const HeightGrid &grid,
+                        const double      place,
+                        const double      lateral,
+                        const double      circumference)
+  {
+    if (!(grid.noise > 0))
+      return grid_irregularity(grid, place, lateral, circumference);
+    const auto shape_of = [=](const unsigned int draw) {
+      return grid_irregularity(
+        smoothed_heights(with_noise(grid, false, draw)), place, lateral, circumference);
+    };
+    Irregularity shape = shape_of(0);
+    shape.drawn        = [shape_of](const unsigned int draw) { return shape_of(draw).at; };
     return shape;
   }
 

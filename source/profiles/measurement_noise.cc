@@ -7,31 +7,28 @@ namespace wheelrail
 {
   namespace
   {
-    /// Distance of a point from the cubic through its two neighbours on both sides, over the standard
-    /// deviation that noise of 1 gives it; negative where it cannot be told.
+    /// Distance of a point from the polynomial through `beside` neighbours on both sides (two: a cubic), over
+    /// the standard deviation that noise of 1 gives it; negative where it cannot be told.
     double
-    distance_from_neighbours(const Point2 *const p)
+    distance_from_neighbours(const Point2 *const p, const int beside)
     {
       const Point2 chord = p[1] - p[-1];
       const double width = norm(chord);
       if (!(width > 0))
         return -1;
-      // coordinates along the chord and to its left; the weights of Lagrange's cubic at the point
-      double t[5], n[5];
-      for (int k = 0; k < 5; ++k)
-        {
-          const Point2 q = p[k - 2] - p[0];
-          t[k]           = dot(q, chord) / width;
-          n[k]           = cross(chord, q) / width;
-        }
+      // coordinates along the chord and to its left; the weights of Lagrange's polynomial at the point
+      std::vector<Point2> others;
+      for (int k = -beside; k <= beside; ++k)
+        if (const Point2 q = p[k] - p[0]; k != 0)
+          others.push_back({dot(q, chord) / width, cross(chord, q) / width});
       double value = 0, variance = 1;
-      for (const int k : {0, 1, 3, 4})
+      for (std::size_t k = 0; k < others.size(); ++k)
         {
           double weight = 1;
-          for (const int j : {0, 1, 3, 4})
+          for (std::size_t j = 0; j < others.size(); ++j)
             if (j != k)
-              weight *= t[j] / (t[j] - t[k]);
-          value += weight * n[k];
+              weight *= others[j].x / (others[j].x - others[k].x);
+          value += weight * others[k].y;
           variance += weight * weight;
         }
       return std::isfinite(value) && std::isfinite(variance) ? std::abs(value) / std::sqrt(variance) : -1;
@@ -129,7 +126,7 @@ namespace wheelrail
 
 
   std::vector<double>
-  estimated_scatter(const std::vector<Point2> &points)
+  estimated_scatter(const std::vector<Point2> &points, const std::size_t beside)
   {
     constexpr double      reach = 12e-3;
     constexpr std::size_t least = 20;
@@ -138,8 +135,8 @@ namespace wheelrail
     std::vector<double>   result(n, 0), distance(n, -1), length(n, 0), all;
     for (std::size_t i = 1; i < n; ++i)
       length[i] = length[i - 1] + norm(points[i] - points[i - 1]);
-    for (std::size_t i = 2; i + 2 < n; ++i)
-      if ((distance[i] = distance_from_neighbours(&points[i])) >= 0)
+    for (std::size_t i = beside; i + beside < n; ++i)
+      if ((distance[i] = distance_from_neighbours(&points[i], static_cast<int>(beside))) >= 0)
         all.push_back(distance[i]);
     const double whole = scale * median(all);
     for (std::size_t i = 0; i < n; ++i)

@@ -1,9 +1,8 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/frame_profile.h>
-#include <wheelrail/profiles/measurement_noise.h>
+#include <wheelrail/profiles/height_noise.h>
 #include <wheelrail/profiles/slices_file.h>
-#include <wheelrail/profiles/smoothing_spline.h>
 
 #include <gsl/gsl_spline.h>
 
@@ -17,52 +16,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Heights over places, ascending [m].
-    using Heights = std::vector<Point2>;
-
-    /// Standard deviation of heights where they are noisiest: parts that are exact, as a flange from a
-    /// drawing, do not lower it [m].
-    double
-    largest_noise(const Heights &heights)
-    {
-      const std::vector<double> scatter = estimated_scatter(heights);
-      return *std::max_element(scatter.begin(), scatter.end());
-    }
-
-    /// In the spline of heights over places (smoothing_spline()) lengths count a third where there is noise:
-    /// what deviates from a profile is longer than the arcs of a profile.
-    constexpr double most_stretch = 3;
-
-    /// Of noise across [m].
-    double
-    stretch_of(const double noise)
-    {
-      return std::clamp(std::sqrt(noise / 1e-6), 1., most_stretch);
-    }
-
-    /// The heights without their noise [m], at other places; beyond the ends those of the ends.
-    std::vector<double>
-    smoothed(Heights heights, const double noise, const double stretch, const std::vector<double> &places)
-    {
-      for (Point2 &p : heights)
-        p.x /= stretch;
-      const std::vector<Segment> pieces =
-        smoothing_spline(heights, {}, std::vector<double>(heights.size(), noise));
-      std::vector<double> values;
-      std::size_t         piece = 0;
-      for (const double place : places)
-        {
-          const double x = place / stretch;
-          while (piece + 1 < pieces.size() && pieces[piece].end.x < x)
-            ++piece;
-          double a = 0, b = 1;
-          for (double m = 0.5; m > a && m < b && b - a > 1e-14; m = 0.5 * (a + b))
-            (position_on(pieces[piece], m).x < x ? a : b) = m;
-          values.push_back(position_on(pieces[piece], 0.5 * (a + b)).y);
-        }
-      return values;
-    }
-
     /// Heights of the points of a slice over a profile along its outward normal, over x of the section, where
     /// the profile is not steeper than `base` has it and not farther away than `reach` [m].
     Heights
@@ -90,33 +43,6 @@ namespace wheelrail
                                 [](const Point2 &a, const Point2 &b) { return b.x - a.x < least; }),
                     heights.end());
       return heights;
-    }
-
-    /// Smooths the lines along of what each slice has by itself. Their noise is that of the lines within 12
-    /// mm beside them.
-    void
-    smooth_along(HeightGrid &grid)
-    {
-      constexpr double     reach = 12e-3;
-      const std::size_t    n = grid.along.size(), rows = grid.across.size();
-      std::vector<Heights> lines(rows);
-      std::vector<double>  found;
-      for (std::size_t row = 0; row < rows; ++row)
-        {
-          for (std::size_t k = 0; k < n; ++k)
-            lines[row].push_back({grid.along[k], grid.height[row * n + k]});
-          const std::vector<double> scatter = estimated_scatter(lines[row]);
-          found.push_back(*std::min_element(scatter.begin(), scatter.end())); // that of all
-        }
-      for (std::size_t row = 0; row < rows; ++row)
-        {
-          std::vector<double> near;
-          for (std::size_t other = 0; other < rows; ++other)
-            if (std::abs(grid.across[other] - grid.across[row]) < reach)
-              near.push_back(found[other]);
-          const std::vector<double> values = smoothed(lines[row], median(near), most_stretch, grid.along);
-          std::copy(values.begin(), values.end(), grid.height.begin() + row * n);
-        }
     }
 
     /// Heights as values of a cubic B-spline whose knots are the slices, with the heights of an interpolating
@@ -227,18 +153,31 @@ namespace wheelrail
           grid.height[row * m + k] = line[row];
       }
     if (noise < 0)
-      smooth_along(grid);
-    if (slices.smoothed)
-      approximate_along(grid);
+      find_noise_of_slices(grid);
     return grid;
   }
 
 
   Irregularity
-  slices_irregularity(const HeightGrid &heights, const double place, const double circumference)
+  slices_irregularity(const HeightGrid &heights,
+                      const Slices     &slices,
+                      const double      place,
+                      const double      noise,
+                      const double      circumference)
   {
-    Irregularity shape = grid_irregularity(heights, place, 0, circumference);
+    const auto shape_of =
+      [heights, noise, smoothed = slices.smoothed, place, circumference](const unsigned int draw) {
+        HeightGrid grid = with_noise(heights, true, draw);
+        if (noise < 0)
+          smooth_along(grid);
+        if (smoothed)
+          approximate_along(grid);
+        return grid_irregularity(grid, place, 0, circumference);
+      };
+    Irregularity shape = shape_of(0);
     shape.endless      = true;
+    if (heights.noise > 0)
+      shape.drawn = [shape_of](const unsigned int draw) { return shape_of(draw).at; };
     return shape;
   }
 } // namespace wheelrail

@@ -7,7 +7,6 @@
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/made_up_part.h>
-#include <wheelrail/geometry/surface_kinks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/expected_patch.h>
@@ -15,6 +14,7 @@
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/run/run_end.h>
+#include <wheelrail/run/run_kinks.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/body_figures.h>
 #include <wheelrail/scene/steels.h>
@@ -198,39 +198,6 @@ namespace wheelrail
         there, make_geometry(there, {geometry.rail, geometry.wheel, {}, geometry.files}), summary, measures);
     }
 
-    /// Those in the patch of a wheel that has rolled to a place [m] and `around` it, half before and half
-    /// behind.
-    SurfaceKinks
-    kinks_at(const SceneGeometry &geometry, const Summary &run, const double place, const double around)
-    {
-      constexpr int   strips = 8;
-      RunningSurfaces there  = geometry.surfaces;
-      there.rail.take_irregularities(there.rail, place);
-      there.wheel.take_irregularities(there.wheel, place);
-      const double strip = run.patch_lateral / strips, half = 0.5 * (run.patch_longitudinal + around);
-      std::vector<PatchRow> rows;
-      for (int k = 0; k <= strips; ++k)
-        rows.push_back({run.patch_centre_lateral + (k - 0.5 * strips) * strip, -half, half});
-      return surface_kinks(there, rows, 0.5 * strip);
-    }
-
-    void
-    measure_kinks(const Scene &scene, const SceneGeometry &geometry, const Summary &run, Measures &measures)
-    {
-      measures.contact_modulus = contact_modulus(scene);
-      const double length      = scene.averaging_distance;
-      double       middle      = 0;
-      if (scene.irregular())
-        middle = scene.evaluate_at == Scene::at_largest_force ? std::max(measures.force_at, 0.5 * length)
-                 : scene.evaluate_at > 0                      ? scene.evaluate_at
-                                                              : run.rolled_distance - 0.5 * length;
-      const SurfaceKinks kinks = kinks_at(geometry, run, middle, scene.irregular() ? length : 0);
-      measures.edge            = kinks.edge;
-      measures.notch           = kinks.notch;
-      if (const double at = get_figure(run, "largest_pressure_at_m"); std::isfinite(at))
-        measures.edge_on_path = kinks_at(geometry, run, at, 0).edge;
-    }
-
     /// By the run on larger cells; nothing where it is not there.
     Contributions
     by_two_meshes(const Scene &scene, const Summary &run, const Measures &measures)
@@ -260,6 +227,13 @@ namespace wheelrail
       noise = compare_peak_on_path(scene, geometry, summary, measures);
     else if (!measures.off_rail())
       noise = compare_peak(scene, geometry, summary, measures);
+    if (draws_irregularities(geometry) && !measures.off_rail())
+      {
+        const double there = middle_of_means(scene, summary, measures);
+        noise              = noise_effect(
+          scene, standing(geometry, there, -there / geometry.contact.rolling_radius), summary.normal_force);
+        set_figure(summary, "noise_effect_max_pressure", noise.peak);
+      }
     // elastic bodies are no reference of steel that has flowed
     const Contributions bodies =
       measures.has_yielded() ? Contributions() : measure_against_bodies(scene, geometry, summary, measures);

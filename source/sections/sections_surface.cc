@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/profiles/height_noise.h>
 #include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/smoothing_spline.h>
 #include <wheelrail/sections/sections_surface.h>
@@ -110,6 +111,8 @@ namespace wheelrail
     , ends_(ends)
   {
     lay_lines(slices, placement, noise);
+    if (noise < 0)
+      find_noise();
     if (slices.smoothed)
       smooth_along();
     find_jumps();
@@ -149,6 +152,22 @@ namespace wheelrail
             lines_[line][k] = placement.to_track(
               smooth[k].at(features[k][p] + lengths_[p][k] * static_cast<double>(line - part_begin_[p]) /
                                               static_cast<double>(part_begin_[p + 1] - part_begin_[p])));
+  }
+
+
+  void
+  SectionsSurface::find_noise()
+  {
+    std::vector<Heights> whole;
+    for (std::size_t p = 0; p < lengths_.size(); ++p)
+      for (std::size_t line = part_begin_[p]; line <= part_begin_[p + 1]; ++line)
+        if (*std::min_element(lengths_[p].begin(), lengths_[p].end()) > 0)
+          {
+            Heights &along = whole.emplace_back();
+            for (std::size_t k = 0; k < places_.size(); ++k)
+              along.push_back({places_[k], lines_[line][k].y});
+          }
+    noise_ = noise_of_slices(whole);
   }
 
 

@@ -42,7 +42,9 @@ namespace wheelrail
         throw InputError(path + ": no text in UTF-8, as a spreadsheet saves \"CSV\"; " + purpose);
       std::vector<Line> lines;
       for (const Line &line : lines_of(text))
-        if (const std::string rest = without_comment(line.text, remarks); !rest.empty())
+        if (line.number == 1 && lower(line.text).find("sep=") == 0)
+          continue; // a spreadsheet's word for the separator, which rows tell themselves
+        else if (const std::string rest = without_comment(line.text, remarks); !rest.empty())
           lines.push_back({rest, line.number});
       return lines;
     }

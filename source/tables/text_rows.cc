@@ -225,7 +225,8 @@ namespace wheelrail
     if (best.commas > 0 && best.points > 0)
       fail(best.points < best.commas ? *best.first_point : *best.first_comma,
            "has another decimal mark than other rows");
-    if (best.commas > 0 && separator != ';' && !best.sure)
+    // decimals of three digits throughout, or whole numbers of which some have thousands
+    if (best.commas > 0 && !best.sure && (separator != ';' || best.commas < rows.size()))
       fail(*best.first_comma, "has commas between digits that may be decimal marks or part thousands");
     return {separator, best.commas > 0};
   }

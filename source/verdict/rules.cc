@@ -73,7 +73,7 @@ namespace wheelrail
                elements = known.cause.find("elements") != std::string::npos;
     add(verdict,
         graded(known.within, {m.wanted, 2 * m.wanted}),
-        (noise      ? "the noise in the points of the measured profiles leaves "
+        (noise      ? "the noise in measured points leaves "
          : elements ? "too few elements: they leave "
                     : known.cause + " leave ") +
           what + " uncertain by " + percent(known.within) + "; " +

@@ -49,16 +49,6 @@ namespace wheelrail
       return patches;
     }
 
-    /// The surfaces with the wheel at a place or a pitch.
-    SceneGeometry
-    standing(SceneGeometry geometry, const double place, const double pitch)
-    {
-      const double radius = geometry.contact.rolling_radius;
-      geometry.surfaces.rail.take_irregularities(geometry.surfaces.rail, place);
-      geometry.surfaces.wheel.take_irregularities(geometry.surfaces.wheel, -radius * pitch);
-      return geometry;
-    }
-
     /// Presses the wheel down until the vertical force of the pressure is the load.
     void
     press_down(PlaneContact &contact, const double load)
@@ -77,7 +67,7 @@ namespace wheelrail
     solve_place(const Scene         &scene,
                 const SceneGeometry &geometry,
                 const double         load,
-                const NoiseEffect   &noise)
+                const NoiseEffect   &of_profiles)
     {
       PlaceContact result;
       PlaneContact contact(scene, geometry, scene_offsets(scene), whole_region(geometry.contact));
@@ -86,7 +76,8 @@ namespace wheelrail
       const HalfspaceGrid     &grid     = solution.grid;
       WheelRailSolution        whole    = contact.result();
       name_made_up(geometry, whole);
-      whole.noise_effect    = noise;
+      whole.noise_effect =
+        draws_irregularities(geometry) ? noise_effect(scene, geometry, solution.fn) : of_profiles;
       result.verdict        = judge_patch(scene, whole);
       result.patch          = whole.patch;
       result.peak_pressure  = solution.peak_pressure;

@@ -12,9 +12,10 @@ namespace wheelrail
   NoiseEffect
   noise_effect(const Scene &scene, const SceneGeometry &geometry, const double normal_force)
   {
-    constexpr unsigned int few = 2, draws = 16;
-    constexpr double       none = 2e-3; // what the first draws of exact points stay below
-    if (!geometry.files.rail && !geometry.files.wheel)
+    constexpr unsigned int few   = 2;
+    const unsigned int     draws = draws_irregularities(geometry) ? 6 : 16; // irregular ones take longer
+    constexpr double       none  = 2e-3; // what the first draws of exact points stay below
+    if (!geometry.files.rail && !geometry.files.wheel && !draws_irregularities(geometry))
       return {};
     const Scene          coarse  = coarse_halfspaces(scene);
     const SectionOffsets offsets = scene_offsets(scene);

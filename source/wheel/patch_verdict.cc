@@ -42,7 +42,7 @@ namespace wheelrail
       // of the creepage at its half, for what elements of twice the size change far less.
       constexpr double         least = 0.25, least_creepage = 2e-5, least_force = 0.01;
       const HalfspaceSolution &s = result.solution;
-      if (result.problem.friction.frictionless())
+      if (result.problem.friction.frictionless() || result.problem.motion == HalfspaceMotion::none)
         return {};
       const double bound = result.problem.friction.at(0) * s.fn, force = std::hypot(s.fx, s.fy);
       const double half   = half_saturation(result.problem, s, result.measures);

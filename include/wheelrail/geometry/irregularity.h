@@ -39,9 +39,11 @@ namespace wheelrail
     std::string                                    name;               ///< of its section in the input
     double                                         begin = 0, end = 0; ///< along [m]
     std::function<IrregularHeight(double, double)> at;                 ///< of places across and along within
-    std::vector<double>                            kinks; ///< places along where the slope jumps [m]
-    bool endless = false; ///< before and behind the heights of its ends hold, else there is none
-    bool gap     = false; ///< between two rails one behind the other, too deep to carry
+    /// Another one that noise in measured heights leaves possible, by its number; none where they are exact.
+    std::function<std::function<IrregularHeight(double, double)>(unsigned int)> drawn;
+    std::vector<double> kinks; ///< places along where the slope jumps [m]
+    bool endless = false;      ///< before and behind the heights of its ends hold, else there is none
+    bool gap     = false;      ///< between two rails one behind the other, too deep to carry
     std::function<bool(double, double)>
                       second; ///< whether a place across and along is on the second of two rails
     CarriedBy         carried = CarriedBy::offset;

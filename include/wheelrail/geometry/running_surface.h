@@ -59,6 +59,10 @@ namespace wheelrail
       set_irregularities(other.irregular_, other.origin_ + further);
     }
 
+    /// The same, with others of the measured ones that their noise leaves possible (Irregularity::drawn).
+    void
+    draw_irregularities(const RunningSurface &other, unsigned int draw);
+
     /// Place of a reference point: coordinates in the frame (of a wheel point after turning it back to the
     /// section), and along the track: Z, or the arc in front of the contact [m].
     struct Place

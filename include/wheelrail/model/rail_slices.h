@@ -44,6 +44,13 @@ namespace wheelrail
                    const Placement          &placement,
                    std::vector<std::string> &notes);
 
+  /// The same with each slice off by one more draw of their noise [m].
+  SectionsSurface
+  drawn_rail_slices(const ProfileSettings &scene,
+                    const SectionsSurface &rail,
+                    const Placement       &placement,
+                    unsigned int           draw);
+
   /// The rail for a mesh: that of the slice nearest to where the path begins, on its standard body. Throws
   /// InputError that names the entry.
   void

@@ -56,10 +56,18 @@ namespace wheelrail
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles);
 
-  /// The geometry with others of the profiles that the points of files leave possible, see drawn();
-  /// irregularities stay.
+  /// The geometry with others of the profiles and of measured irregularities that the points of files leave
+  /// possible, see drawn().
   SceneGeometry
   drawn(const Scene &scene, const SceneGeometry &geometry, unsigned int draw);
+
+  /// Whether there are any of irregularities.
+  bool
+  draws_irregularities(const SceneGeometry &geometry);
+
+  /// The surfaces with the wheel at a place along the track [m] and at a pitch [rad].
+  SceneGeometry
+  standing(SceneGeometry geometry, double place, double pitch);
 
   /// Of read_mesh_profiles().
   SceneGeometry

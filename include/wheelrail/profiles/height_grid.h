@@ -13,7 +13,8 @@ namespace wheelrail
     std::vector<double> along;  ///< ascending
     std::vector<double> across; ///< ascending, positive to the field side; empty: a line, alike all across
     std::vector<double> height; ///< along fastest
-    std::vector<std::string> notes; ///< what of the file was left out
+    std::vector<std::string> notes;     ///< what of the file was left out
+    double                   noise = 0; ///< standard deviation of the heights, of slices each as a whole [m]
   };
 
   /// Reads a table (CSV: a line with names and units, then rows along, across, height in any order, or along,
@@ -31,6 +32,10 @@ namespace wheelrail
   /// [m].
   Irregularity
   grid_irregularity(const HeightGrid &grid, double place, double lateral, double circumference);
+
+  /// The same of heights that were measured one by one, smoothed where they have noise.
+  Irregularity
+  measured_irregularity(const HeightGrid &grid, double place, double lateral, double circumference);
 
   /// How high the first and the last places along stand over the smooth surface [m]: a step.
   double

@@ -11,12 +11,12 @@ namespace wheelrail
   median(std::vector<double> values);
 
   /// Standard deviation of the scatter of each point normal to the outline [m]: the median distance of the
-  /// points around it from the cubic through their two neighbours on both sides, scaled to a normal
-  /// distribution; within 12 mm or 20 points to either side, or of all points where that is more, so that
-  /// exact stretches do not lower it. Kinks and outliers do not move it. Needs five points or more (0
-  /// otherwise).
+  /// points around it from the polynomial through their neighbours, `beside` on either side (two: a cubic),
+  /// scaled to a normal distribution; within 12 mm or 20 points to either side, or of all points where that
+  /// is more, so that exact stretches do not lower it. Kinks and outliers do not move it. Needs five points
+  /// or more (0 otherwise).
   std::vector<double>
-  estimated_scatter(const std::vector<Point2> &points);
+  estimated_scatter(const std::vector<Point2> &points, std::size_t beside = 2);
 
   /// The steps of which the differences of all x, and of all y, are multiples: 1, 2 or 5 times a power of
   /// ten, in the unit of the points; 0 where there is none, and where nearly all steps are one.

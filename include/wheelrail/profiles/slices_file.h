@@ -39,9 +39,9 @@ namespace wheelrail
   is_slices_file(const std::string &path);
 
   /// The heights of slices over a profile, along its outward normal: each 0.5 mm across where slices and
-  /// profile lie beside each other, smoothed across and along as profiles are. `radius` of the circle on
-  /// which the arcs of a wheel count [m], `noise` of the points [m] (negative: as found in them). Throws
-  /// InputError where a slice is more than 5 mm away from the profile or narrower than 10 mm of it.
+  /// profile lie beside each other, smoothed across as profiles are. `radius` of the circle on which the arcs
+  /// of a wheel count [m], `noise` of the points [m] (negative: as found in them). Throws InputError where a
+  /// slice is more than 5 mm away from the profile or narrower than 10 mm of it.
   HeightGrid
   heights_of_slices(const Slices      &slices,
                     const Curve       &profile,
@@ -49,7 +49,12 @@ namespace wheelrail
                     double             noise,
                     const std::string &path);
 
-  /// The irregularity of such heights: before the first slice and behind the last one they stay.
+  /// The irregularity of such heights, smoothed along unless their `noise` is given (0 or more): before the
+  /// first slice and behind the last one they stay.
   Irregularity
-  slices_irregularity(const HeightGrid &heights, double place, double circumference);
+  slices_irregularity(const HeightGrid &heights,
+                      const Slices     &slices,
+                      double            place,
+                      double            noise,
+                      double            circumference);
 } // namespace wheelrail

@@ -73,6 +73,14 @@ namespace wheelrail
       return jumps_;
     }
 
+    /// Standard deviation of slices off their neighbours, each as a whole, which nothing smooths (0 where
+    /// only digits make it) [m].
+    double
+    noise() const
+    {
+      return noise_;
+    }
+
     /// Whether a place along the track lies on the slices [m].
     bool
     has(const double place) const
@@ -101,6 +109,8 @@ namespace wheelrail
 
     void
     lay_lines(const Slices &slices, const Placement &placement, double noise);
+    void
+    find_noise();
     /// Turns the lines into those of an approximating spline along the track.
     void
     smooth_along();
@@ -110,8 +120,8 @@ namespace wheelrail
     find_runs();
 
     std::string                      path_;
-    double                           spacing_ = 0;
-    bool                             ends_    = false;
+    double                           spacing_ = 0, noise_ = 0;
+    bool                             ends_ = false;
     std::vector<double>              places_;     ///< of the slices [m]
     std::vector<std::vector<double>> lengths_;    ///< of each part on each slice [m], 0: absent
     std::vector<std::size_t>         part_begin_; ///< first line of each part, and the last line of all
