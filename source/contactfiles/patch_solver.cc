@@ -100,11 +100,11 @@ namespace wheelrail
   }
 
   WheelRailPatch
-  PatchSolver::solve(const std::vector<PatchPlace>     &places,
-                     const bool                         rolls,
-                     const std::size_t                  number,
-                     const HalfspaceSolution *const     last,
-                     std::shared_ptr<HalfspaceKernels> &kernels) const
+  PatchSolver::solve(const std::vector<PatchPlace> &places,
+                     const bool                     rolls,
+                     const std::size_t              number,
+                     const HalfspaceSolution *const last,
+                     KeptKernels                   &kernels) const
   {
     const PatchPlace &place = places[number];
     WheelRailPatch    patch;
@@ -154,8 +154,12 @@ namespace wheelrail
           d.place = -d.place;
         std::reverse(divisions.begin(), divisions.end());
       }
-    patch.solution =
-      solved(one_, problem, divisions, patch.backwards ? half_turn(rows.angle) : rows.angle, kernels, guess);
+    patch.solution = solved(one_,
+                            problem,
+                            divisions,
+                            patch.backwards ? half_turn(rows.angle) : rows.angle,
+                            kernels.of(problem),
+                            guess);
     if (patch.backwards)
       turn_solution(patch.solution);
     if (problem.max_coupling_rounds == 1 && patch.solution.normal_converged &&

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,7 +27,6 @@ namespace wheelrail
         , asked_(pose_.height)
         , patches_(one, rail_, wheel_, pose_, before ? &before_ : nullptr)
         , start_(start)
-        , kernels_(start.kernels)
       {
         touching_ = 1;
         if (one.digits.forces == 3 && one.digits.normal == 0)
@@ -73,7 +71,6 @@ namespace wheelrail
           take_down(asked_ - result.height, result);
         if (pose_.left)
           mirror(result);
-        start_.kernels = kernels_;
         return result;
       }
 
@@ -114,13 +111,12 @@ namespace wheelrail
         result.pitch_rate = pose_.wheelset_motion.rotation[1];
         const auto places = meshed() ? patch_places(mesh_, pose_, rail_, one_.elements)
                                      : patch_places(gaps_, pose_, rail_.middle(), one_.elements);
-        kernels_.resize(std::max(kernels_.size(), places.size()));
         for (std::size_t k = 0; k < places.size(); ++k)
           {
             const HalfspaceSolution *const last =
               k < guess_.patches.size() ? &guess_.patches[k].solution : nullptr;
             result.patches.push_back(
-              patches_.solve(places, rolls && one_.digits.motion != 0, k, last, kernels_[k]));
+              patches_.solve(places, rolls && one_.digits.motion != 0, k, last, start_.kernels));
             add(result.force_track, 1, result.patches.back().force_track);
             add(result.force_wheelset, 1, result.patches.back().force_wheelset);
             if (result.patches.back().backwards && one_.digits.motion == 2)
@@ -264,19 +260,18 @@ namespace wheelrail
         return here;
       }
 
-      const ContactCase                             &one_;
-      RailShape                                      rail_;
-      WheelShape                                     wheel_;
-      WheelRailPose                                  pose_;
-      double                                         asked_;      ///< height given (N = 0) [m]
-      double                                         spring_ = 0; ///< KZRAIL where it counts [N/m]
-      std::vector<GapPlace>                          gaps_;       ///< where the rail is one section all along
-      GapMesh                                        mesh_;       ///< else
-      PatchSolver                                    patches_;
-      double                                         touching_ = 0, slope_ = 0;
-      WheelRailCase                                  before_, guess_;
-      WheelRailStart                                &start_;
-      std::vector<std::shared_ptr<HalfspaceKernels>> kernels_;
+      const ContactCase    &one_;
+      RailShape             rail_;
+      WheelShape            wheel_;
+      WheelRailPose         pose_;
+      double                asked_;      ///< height given (N = 0) [m]
+      double                spring_ = 0; ///< KZRAIL where it counts [N/m]
+      std::vector<GapPlace> gaps_;       ///< where the rail is one section all along
+      GapMesh               mesh_;       ///< else
+      PatchSolver           patches_;
+      double                touching_ = 0, slope_ = 0;
+      WheelRailCase         before_, guess_;
+      WheelRailStart       &start_;
     };
 
 

@@ -1,5 +1,7 @@
 #include <wheelrail/halfspace/kernels.h>
 
+#include <algorithm>
+
 // Influence matrices as spectra, kept while grid and materials stay: each is computed when it is first asked
 // for.
 
@@ -56,6 +58,28 @@ namespace wheelrail
     if (slip_.step != step || slip_.steady != steady)
       slip_ = slip_kernels(products_, constants_, grid_, step, steady);
     return slip_;
+  }
+
+
+  std::shared_ptr<HalfspaceKernels> &
+  KeptKernels::of(const HalfspaceProblem &problem)
+  {
+    kept_.remove(nullptr);
+    for (auto kernels = kept_.begin(); kernels != kept_.end(); ++kernels)
+      if ((*kernels)->fit(problem))
+        {
+          kept_.splice(kept_.begin(), kept_, kernels);
+          return kept_.front();
+        }
+    constexpr std::size_t most_grids    = 8;
+    constexpr int         most_elements = 100000; // of all
+    int                   elements      = problem.grid.size();
+    std::size_t           grids         = 1;
+    kept_.remove_if([&](const std::shared_ptr<HalfspaceKernels> &kernels) {
+      elements += std::min(most_elements, kernels->elements());
+      return ++grids > most_grids || elements > most_elements;
+    });
+    return kept_.emplace_front();
   }
 
 

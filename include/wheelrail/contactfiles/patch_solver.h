@@ -3,7 +3,6 @@
 #include <wheelrail/contactfiles/curved_patch.h>
 #include <wheelrail/halfspace/kernels.h>
 
-#include <memory>
 #include <vector>
 
 namespace wheelrail
@@ -20,13 +19,13 @@ namespace wheelrail
                 const WheelRailCase *before);
 
     /// The patch of that number, without friction where it is not to roll. `last`: a solution like it, null:
-    /// none; `kernels`: those of its influence functions afterwards.
+    /// none; `kernels`: those of its influence functions afterwards, too.
     WheelRailPatch
-    solve(const std::vector<PatchPlace>     &places,
-          bool                               rolls,
-          std::size_t                        number,
-          const HalfspaceSolution           *last,
-          std::shared_ptr<HalfspaceKernels> &kernels) const;
+    solve(const std::vector<PatchPlace> &places,
+          bool                           rolls,
+          std::size_t                    number,
+          const HalfspaceSolution       *last,
+          KeptKernels                   &kernels) const;
 
   private:
     /// The rows of a patch in its plane, or on its curved surface of reference.

@@ -8,7 +8,6 @@
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/problem.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -61,8 +60,8 @@ namespace wheelrail
   /// What a solution may begin with: a case like it, and the influence functions of its patches.
   struct WheelRailStart
   {
-    const WheelRailCase                           *guess = nullptr;
-    std::vector<std::shared_ptr<HalfspaceKernels>> kernels; ///< those of this solution afterwards
+    const WheelRailCase *guess = nullptr;
+    KeptKernels          kernels; ///< those of this solution afterwards, too
   };
 
   /// Solves a case of module 1 without refusals(): finds height and pitch rate where forces are given (N = 1,

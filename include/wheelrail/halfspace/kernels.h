@@ -25,6 +25,11 @@ namespace wheelrail
     bool
     fit(const HalfspaceProblem &problem) const;
 
+    int
+    elements() const
+    {
+      return grid_.size();
+    }
     const HalfspaceConstants &
     constants() const
     {
@@ -57,6 +62,18 @@ namespace wheelrail
     InfluenceProducts  products_;
     std::list<Kept>    kept_; // references to them stay valid
     SlipKernels        slip_;
+  };
+
+  /// Those of the problems solved last, whose grids change by some elements and come back.
+  class KeptKernels
+  {
+  public:
+    /// Where those of a problem are, or may be made: null then.
+    std::shared_ptr<HalfspaceKernels> &
+    of(const HalfspaceProblem &problem);
+
+  private:
+    std::list<std::shared_ptr<HalfspaceKernels>> kept_; ///< last used first
   };
 
   /// Displacement differences of some components (0, 1, 2 = x, y, n), body 1 less body 2, under tractions (x,
