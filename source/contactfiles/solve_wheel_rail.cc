@@ -143,6 +143,11 @@ namespace wheelrail
             guess_ = *start_.guess;
             if (pose_.left)
               mirror(guess_);
+            double pressed = 0;
+            for (const WheelRailPatch &patch : guess_.patches)
+              pressed += patch.normal_force * std::cos(patch.angle);
+            if (guess_.force_track[2] > 0)
+              share_ = std::clamp(pressed / guess_.force_track[2], 0.5, 2.);
             const double as_deep = guess_.height - guess_.touching;
             slope_               = 1.5 * F / as_deep;
             return touching_ + as_deep;
@@ -171,6 +176,32 @@ namespace wheelrail
         return contact_modulus(1e6 * m.shear[0], m.poisson[0], 1e6 * m.shear[1], m.poisson[1]);
       }
 
+      /// From a height to the one at which the pressures alone carry their share of the load, by secants: a
+      /// solution without friction takes a third of one with it.
+      double
+      lowered(double height)
+      {
+        double before = 0, force_before = 0;
+        for (int k = 0; k < 6; ++k)
+          {
+            pressed_            = at(height, false).force_track[2];
+            const double missed = pressed_ - share_ * wanted(height);
+            if (std::abs(missed) < 1e-6 * std::abs(wanted(height)))
+              break;
+            if (k > 0 && height != before)
+              if (const double s = (pressed_ - force_before) / (height - before);
+                  s > 0.2 * slope_ && s < 5 * slope_)
+                slope_ = s;
+            before            = height;
+            force_before      = pressed_;
+            const double next = height - missed / (slope_ + spring_);
+            if (!(next > touching_))
+              break;
+            height = next;
+          }
+        return height;
+      }
+
       /// Carries the load (N = 1) from a first height on.
       WheelRailCase
       carry(double height)
@@ -180,9 +211,13 @@ namespace wheelrail
         double           low = touching_, high = 1, before = 0, force_before = 0;
         for (int k = 0; k < 40; ++k)
           {
-            here                = at(height, true);
-            guess_              = here;
-            const double Fz     = here.force_track[2];
+            if (k < 3 && share_ > 0) // else the first height is near
+              height = lowered(height);
+            here            = at(height, true);
+            guess_          = here;
+            const double Fz = here.force_track[2];
+            if (k < 3 && share_ > 0 && pressed_ > 0 && Fz > 0)
+              share_ = pressed_ / Fz;
             const double missed = Fz - wanted(height);
             if (std::abs(missed) < enough * std::abs(wanted(height)))
               return here;
@@ -270,8 +305,10 @@ namespace wheelrail
       GapMesh               mesh_;       ///< else
       PatchSolver           patches_;
       double                touching_ = 0, slope_ = 0;
-      WheelRailCase         before_, guess_;
-      WheelRailStart       &start_;
+      /// Of the load, what pressures carry without friction (0: not known), and that force [N].
+      double          share_ = 0, pressed_ = 0;
+      WheelRailCase   before_, guess_;
+      WheelRailStart &start_;
     };
 
 
