@@ -199,6 +199,22 @@ namespace
       "Profiles/Second rail = beside.slcs: begins at -100 mm within reach of the wheel: its surface sinks "
       "there "
       "over 10 mm, and what the wheel does there is not that of a square end");
+    noted(
+      {"Profiles/Rail = before.slcs", "Profiles/Second rail = guard.slcs", "Profiles/Rail place = -150 mm"},
+      "Profiles/Second rail = guard.slcs: the wheel comes nowhere near it on the path");
+    check_text(validated({"Profiles/Rail = before.slcs",
+                          "Profiles/Second rail = hanging.slcs",
+                          "Profiles/Rail place = -150 mm"}),
+               "--set: Profiles/Second rail: hanging.slcs: the highest point of all slices is one of their "
+               "ends: z points "
+               "down; set Profiles/Rail upside down = yes for slices whose z points up",
+               "a rail upside down");
+    check_text(
+      validated(
+        {"Profiles/Rail = before.slcs", "Profiles/Second rail = gone.slcs", "Profiles/Rail place = -150 mm"}),
+      "--set: Profiles/Second rail: gone.slcs:5: The file \"gone.txt\" cannot be read: No such file or "
+      "directory.",
+      "a slice of the second rail that is not there");
     const std::string filled =
       "the section of the mesh is what both rails have where the path begins, filled up to 0.6 mm below the "
       "wheel; the body is 54E1 widened in its middle by ";
@@ -271,6 +287,15 @@ main()
       return file;
     };
   write("sinking.slcs", changing("sunk.txt"));
+  for (Point2 &p : high)
+    p.y += 30;
+  test::write_points("guard.txt", high);
+  test::write_slices("guard.slcs", "guard.txt", -300, 100);
+  for (Point2 &p : high)
+    p.y = -p.y;
+  test::write_points("hanging.txt", high);
+  test::write_slices("hanging.slcs", "hanging.txt", -300, 100);
+  test::write_slices("gone.slcs", "gone.txt", -300, 100);
   write("deep.slcs", changing("deep.txt"));
   write("plain.prm", "set Title = plain\n");
   write("slices.prm", "subsection Profiles\n  set Rail = good.slcs\nend\n");

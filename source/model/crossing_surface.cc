@@ -2,10 +2,10 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/model/crossing_heights.h>
 #include <wheelrail/model/crossing_surface.h>
 #include <wheelrail/model/rail_slices.h>
 #include <wheelrail/model/rise_over_section.h>
-#include <wheelrail/sections/posed_wheel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,99 +15,8 @@ namespace wheelrail
   namespace
   {
     constexpr double nothing = -HUGE_VAL;
-    constexpr double spacing = 0.25e-3; // across [m]
-    constexpr double near    = 0.3e-3;  // of the wheel: under load it comes there [m]
-
-    /// The lowest line of the wheel over places across, running circle at the height 0 [m].
-    struct WheelLine
-    {
-      std::vector<double> across, height;
-    };
-
-    /// Around the running circle, as far as it is no steeper than a strip of fine cells may be.
-    WheelLine
-    wheel_line(const Scene &scene, const WheelProfile &profile)
-    {
-      constexpr double steepest = 0.6, below = -30e-3;
-      constexpr int    reach = 320;
-      const PosedWheel wheel(profile, scene.track, wheelset_pose(scene));
-      const Placement  rail{{}, -std::atan(scene.track.inclination)};
-      const Point2     up = rail.to_track({0, 1});
-      const auto       at = [&](const int i) {
-        const Point2 p        = rail.to_track({i * spacing, below});
-        const auto   distance = wheel.distance({p.x, p.y, 0}, {up.x, up.y, 0}, 0);
-        return distance ? below + *distance : HUGE_VAL;
-      };
-      const auto end = [&](const int step) {
-        int i = 0;
-        while (std::abs(i) < reach && std::abs(at(i + step) - at(i)) < steepest * spacing)
-          i += step;
-        return i;
-      };
-      WheelLine line;
-      for (int i = end(-1); i <= end(1); ++i)
-        {
-          line.across.push_back(i * spacing);
-          line.height.push_back(at(i));
-        }
-      return line;
-    }
-
-    /// Heights of a section over places across, and of lines that fall from its edges 1:1.
-    std::vector<double>
-    heights_of(const SectionColumn &column, const std::vector<double> &across)
-    {
-      constexpr double    steepest = 3;
-      std::vector<double> height(across.size(), nothing);
-      struct End
-      {
-        double x, y, slope;
-      };
-      const auto end = [&](const std::size_t k) {
-        const SectionColumn::Point p = column.at(column.arc(static_cast<double>(column.first() + k)));
-        return End{-p.position.x, p.position.y, -p.tangent.y / p.tangent.x};
-      };
-      for (std::size_t k = 1; k < column.points().size(); ++k)
-        {
-          End a = end(k - 1), b = end(k);
-          if (a.x > b.x)
-            std::swap(a, b);
-          const double dx = b.x - a.x;
-          if (!(std::abs(b.y - a.y) < steepest * dx && std::abs(a.slope) < steepest &&
-                std::abs(b.slope) < steepest))
-            continue;
-          const auto first = std::lower_bound(across.begin(), across.end(), a.x) - across.begin();
-          for (auto i = static_cast<std::size_t>(first); i < across.size() && across[i] <= b.x; ++i)
-            {
-              const double t = (across[i] - a.x) / dx, d = b.y - a.y; // cubic between two points
-              height[i] = std::max(height[i],
-                                   a.y + t * (a.slope * dx + t * (3 * d - (2 * a.slope + b.slope) * dx +
-                                                                  t * ((a.slope + b.slope) * dx - 2 * d))));
-            }
-        }
-      for (std::size_t i = 1; i < height.size(); ++i)
-        height[i] = std::max(height[i], height[i - 1] - spacing);
-      for (std::size_t i = height.size() - 1; i > 0; --i)
-        height[i - 1] = std::max(height[i - 1], height[i] - spacing);
-      return height;
-    }
-
-    /// Width of a head 5 mm below its top [m].
-    double
-    width_of(const SectionColumn &column)
-    {
-      constexpr double depth = 5e-3;
-      double           top = -HUGE_VAL, low = HUGE_VAL, high = -HUGE_VAL;
-      for (const Point2 &p : column.points())
-        top = std::max(top, p.y);
-      for (const Point2 &p : column.points())
-        if (p.y > top - depth)
-          {
-            low  = std::min(low, p.x);
-            high = std::max(high, p.x);
-          }
-      return high - low;
-    }
+    constexpr double spacing = crossing_spacing;
+    constexpr double near    = 0.3e-3; // of the wheel: under load it comes there [m]
 
     /// The larger of two heights, rounded where they differ by less than 0.4 mm, up to the second derivative.
     double
@@ -286,6 +195,7 @@ namespace wheelrail
           height[k][i] = higher(height[k][i], wheel_there - below);
         }
     tell_ends(rails, wheel, heights, notes);
+    tell_far(rails, wheel, heights, notes);
     keep(first, end);
   }
 
@@ -315,6 +225,24 @@ namespace wheelrail
                             " within reach of the wheel: its surface sinks there over " + in_mm(rail.sinks) +
                             ", and what the wheel does there is not that of a square end");
         }
+  }
+
+
+  /// Tells of rails that the wheel does not come near on the path.
+  void
+  CrossingSurface::tell_far(const std::vector<OneRail> &rails,
+                            const std::vector<double>  &wheel,
+                            const std::vector<double>  &heights,
+                            std::vector<std::string>   &notes) const
+  {
+    for (const OneRail &rail : rails)
+      {
+        bool comes_near = false;
+        for (std::size_t k = start; k + start < along.size() && !comes_near; ++k)
+          comes_near = over_wheel(rail.height[k], wheel) - sunk(rail, along[k]) > heights[k] - near;
+        if (!comes_near)
+          notes.push_back(rail.entry + ": the wheel comes nowhere near it on the path");
+      }
   }
 
 

@@ -12,17 +12,59 @@
 
 namespace wheelrail
 {
+  namespace
+  {
+    /// A message with the entry in front, unless it names one.
+    std::string
+    with_entry(const std::string &entry, const std::string &message)
+    {
+      return message.rfind("Profiles/", 0) == 0 ? message : entry + ": " + message;
+    }
+
+    /// Throws InputError where no slice has its top between its ends: z points up, or is depth.
+    void
+    refuse_upside_down(const Slices &slices, const std::string &path)
+    {
+      const auto hangs = [](const Slices::Slice &slice) {
+        const auto top = std::max_element(slice.points.begin(),
+                                          slice.points.end(),
+                                          [](const Point2 &a, const Point2 &b) { return a.y < b.y; });
+        return top == slice.points.begin() || top + 1 == slice.points.end();
+      };
+      if (std::all_of(slices.slices.begin(), slices.slices.end(), hangs))
+        throw InputError(path +
+                         ": the highest point of all slices is one of their ends: z points down; set "
+                         "Profiles/Rail upside down = yes for slices whose z points up");
+    }
+
+    Slices
+    turned_slices_of(const ProfileSettings &scene, const std::string &path)
+    {
+      Slices slices = read_slices_file(path, scene.rail_file.unit);
+      if (slices.wheel)
+        throw InputError(path + ": slices of a wheel; a rail has them in a file that ends in .slcs");
+      for (Slices::Slice &slice : slices.slices)
+        for (Point2 &p : slice.points)
+          p = {(scene.rail_file.mirror == ProfileMirror::yes ? -1 : 1) * p.x,
+               (scene.rail_file.turn == ProfileMirror::yes ? -1 : 1) * p.y};
+      refuse_upside_down(slices, path);
+      return slices;
+    }
+  } // namespace
+
+
   Slices
   turned_slices(const ProfileSettings &scene, const std::string &path)
   {
-    Slices slices = read_slices_file(path, scene.rail_file.unit);
-    if (slices.wheel)
-      throw InputError(path + ": slices of a wheel; a rail has them in a file that ends in .slcs");
-    for (Slices::Slice &slice : slices.slices)
-      for (Point2 &p : slice.points)
-        p = {(scene.rail_file.mirror == ProfileMirror::yes ? -1 : 1) * p.x,
-             (scene.rail_file.turn == ProfileMirror::yes ? -1 : 1) * p.y};
-    return slices;
+    try
+      {
+        return turned_slices_of(scene, path);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(
+          with_entry(path == scene.second_rail ? "Profiles/Second rail" : "Profiles/Rail", error.what()));
+      }
   }
 
 
@@ -124,7 +166,7 @@ namespace wheelrail
       }
     catch (const InputError &error)
       {
-        throw InputError(entry + ": " + error.what());
+        throw InputError(with_entry(entry, error.what()));
       }
   }
 
@@ -207,8 +249,7 @@ namespace wheelrail
       }
     catch (const InputError &error)
       {
-        const std::string text = error.what();
-        throw InputError(text.rfind("Profiles/", 0) == 0 ? text : entry + ": " + text);
+        throw InputError(with_entry(entry, error.what()));
       }
   }
 } // namespace wheelrail

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/profiles/profile_text.h>
@@ -95,7 +96,7 @@ namespace wheelrail
       for (const double metres : {1e-3, 1.})
         if (width * metres >= 0.01 && width * metres <= 0.4)
           return metres;
-      throw InputError(file + ": the slice is " + format_number(width) +
+      throw InputError(file + ": the slice is " + wheelrail::text("%.4g", width) +
                        " units wide; as mm or m it is none (10 mm to 400 mm): set the unit of the profile");
     }
 

@@ -83,6 +83,11 @@ namespace wheelrail
               const std::vector<double>  &heights,
               std::vector<std::string>   &notes) const;
     void
+    tell_far(const std::vector<OneRail> &rails,
+             const std::vector<double>  &wheel,
+             const std::vector<double>  &heights,
+             std::vector<std::string>   &notes) const;
+    void
     keep(std::size_t first, std::size_t end);
 
     Range                          slices_; ///< where there are any [m]
