@@ -140,9 +140,11 @@ namespace
   std::string
   answer(const std::string &entries,
          const double       distance = 0.03,
-         const MeshWindow   window   = MeshWindow::fixed)
+         const MeshWindow   window   = MeshWindow::fixed,
+         const std::string &rail     = "54E1")
   {
     Scene scene;
+    scene.rail_profile     = rail;
     scene.folder           = "runs/saved";
     scene.rolling_distance = distance;
     scene.window           = window;
@@ -193,6 +195,10 @@ namespace
       answer(parameters, 0.04, MeshWindow::moving),
       "Run/Rolling distance = 40 mm: on the rail of the saved state the wheel can roll 30 mm; give at "
       "most that, or start anew with it or with a longer Track/Rail length");
+    check_state(
+      answer(parameters, 0.04, MeshWindow::moving, "wing.slcs"),
+      "Run/Rolling distance = 40 mm: the mesh of the saved state was made for 30 mm of rolling; give "
+      "at most that, or start anew with it");
     check_state(answer(parameters, 0.01),
                 "Run/Rolling distance = 10 mm: the saved state has rolled 10 mm; give more than that, and at "
                 "most 30 mm");

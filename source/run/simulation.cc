@@ -140,6 +140,8 @@ namespace wheelrail
         {
           scene_.prepared_distance = resume_point_->whole.prepared_distance;
           scene_.fine_margin       = resume_point_->whole.fine_margin;
+          if (scene_.rail_by_slices()) // its section depends on how far the mesh reaches
+            geometry_ = make_geometry(scene_);
         }
       else if (scene_.rail_from != "new")
         {

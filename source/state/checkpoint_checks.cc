@@ -104,14 +104,16 @@ namespace wheelrail
       return wanted + ": fine cells and motion of the saved state were laid for " +
              rounded_mm(saved.prepared_distance) + "; give at most that, or start anew";
     if (scene.path() > saved.longest_distance * (1 + 1e-12))
-      return scene.window == MeshWindow::moving
+      return scene.window == MeshWindow::moving && !scene.rail_by_slices()
                ? wanted + ": on the rail of the saved state the wheel can roll " +
                    rounded_mm(std::floor(1e3 * saved.longest_distance) / 1e3) +
                    "; give at most that, or start anew with it or with a longer Track/Rail length"
                : wanted + ": the mesh of the saved state was made for " +
                    rounded_mm(saved.prepared_distance) +
-                   " of rolling; give at most that, or start anew with Mesh/Prepared distance = " +
-                   rounded_mm(scene.path()) + " or Mesh/Window = moving";
+                   " of rolling; give at most that, or start anew with " +
+                   (scene.rail_by_slices()
+                      ? "it"
+                      : "Mesh/Prepared distance = " + rounded_mm(scene.path()) + " or Mesh/Window = moving");
     if (scene.path() <= rolled)
       return wanted + ": the saved state has rolled " + rounded_mm(rolled) +
              "; give more than that, and at most " +

@@ -40,12 +40,13 @@ namespace wheelrail
     kept_                   = std::move(part);
     kept_.parameters        = parameters_;
     kept_.prepared_distance = run.scene.mesh_distance();
-    kept_.longest_distance  = plan.moving ? plan.longest_path : kept_.prepared_distance;
-    kept_.fine_margin       = run.scene.fine_margin;
-    kept_.ticks             = ticks;
-    kept_.wall_time         = wall_time;
-    any_                    = true;
-    on_disk_                = false;
+    kept_.longest_distance =
+      plan.moving && !run.scene.rail_by_slices() ? plan.longest_path : kept_.prepared_distance;
+    kept_.fine_margin = run.scene.fine_margin;
+    kept_.ticks       = ticks;
+    kept_.wall_time   = wall_time;
+    any_              = true;
+    on_disk_          = false;
   }
 
 
