@@ -73,6 +73,11 @@ namespace wheelrail
       field(&S::behind_wheel),
       "What becomes of solution cells that a moving window leaves behind; auto: those that have flowed "
       "plastically stay, the others are made coarse again.");
+    list.choice<bool>(
+      "Mass scaling",
+      {{"true", true}, {"false", false}},
+      field(&S::mass_scaling),
+      "Denser steel in cells stiffer than a cube, whose time step then holds; what is added is told.");
     add_elements(list);
     return list.entries;
   }

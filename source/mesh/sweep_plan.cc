@@ -40,12 +40,16 @@ namespace wheelrail
       long first, last;
     };
 
-    /// The wheel's spacing over the range that is needed and a metre beyond, as far as the rail goes. There
-    /// must be room for starts up to `start` blocks farther along.
+    /// The wheel's spacing over the range that is needed and `onward` beyond, two blocks at least, as far as
+    /// the rail goes. There must be room for starts up to `start` blocks farther along.
     EvenBlocks
-    even_blocks(const Range &rail, const Range &needed, const double spacing, const int start)
+    even_blocks(const Range &rail,
+                const Range &needed,
+                const double spacing,
+                const double onward,
+                const int    start)
     {
-      constexpr double beyond = 1;
+      const double     beyond = std::max(onward, 2 * spacing);
       const auto       up     = [&](const double z) { return static_cast<long>(std::ceil(z / spacing)); };
       const auto       down   = [&](const double z) { return static_cast<long>(std::floor(z / spacing)); };
       const EvenBlocks even{up(std::max(needed.s0 - beyond, rail.s0 + spacing)),
@@ -157,7 +161,7 @@ namespace wheelrail
     const Range rail     = {0.5 * (sizes.distance - sizes.rail_length),
                             0.5 * (sizes.distance + sizes.rail_length)};
     plan.start_block     = static_cast<int>(std::lround(sizes.start / spacing));
-    const auto even      = even_blocks(rail, plan.fine, spacing, plan.start_block);
+    const auto even      = even_blocks(rail, plan.fine, spacing, sizes.onward, plan.start_block);
     plan.rail_stations   = rail_stations(rail, even, spacing);
     const double farther = plan.start_block * spacing;
     for (double &station : plan.rail_stations)

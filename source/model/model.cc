@@ -29,7 +29,8 @@ namespace wheelrail
     {
       return {{material_law(scene.rail_material), material_law(scene.wheel_material)},
               {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)},
-              scene.bulk_viscosity};
+              scene.bulk_viscosity,
+              highest_frequency(scene)};
     }
 
     ContactLaw
@@ -152,24 +153,19 @@ namespace wheelrail
       prepare(model.solid, model.discretization->local_mesh(), communicator);
     }
 
-    PerBody<Elasticity>
-    steel_of(const Scene &scene)
-    {
-      return {elasticity(scene.rail_material), elasticity(scene.wheel_material)};
-    }
-
     /// Bodies and contact on the mesh of the start; the contact's law follows from it.
     void
     prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
     {
       const SweepPlan &plan = model.discretization->plan();
       prepare_solid(model, communicator);
+      check_added_mass(scene, model.solid.quality);
       const double of_cells = model.solid.stable.step;
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
       model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
       prepare_parts(model.parts, model.solid);
       lower_stable_step(model.solid, model.parts);
-      lower_step_to_path(plan, steel_of(scene), scene.bulk_viscosity, of_cells, model.solid.stable);
+      lower_step_to_path(scene, plan, of_cells, model.solid.stable);
       model.contact = make_contact(scene, model, communicator);
       prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
     }
@@ -244,7 +240,9 @@ namespace wheelrail
       sizes.distance    = scene.mesh_distance();
       sizes.rail_length = scene.rail_length;
       sizes.start       = scene.start_offset;
-      sizes.moving      = scene.window == MeshWindow::moving;
+      if (scene.rail_by_slices()) // its surface ends with the path
+        sizes.onward = 0;
+      sizes.moving = scene.window == MeshWindow::moving;
       plan_for_path(geometry, path, sizes);
       plan_for_irregularities(geometry, sizes);
       return sizes;
@@ -312,7 +310,7 @@ namespace wheelrail
   StableStep
   limit_of_step(const Scene &scene, const SceneGeometry &geometry)
   {
-    return step_on_path(sweep_plan(scene, geometry), steel_of(scene), scene.bulk_viscosity);
+    return step_on_path(scene, sweep_plan(scene, geometry));
   }
 
 

@@ -1,6 +1,10 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/parallel.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/mesh/cell_tree.h>
 #include <wheelrail/model/moved_cells.h>
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/solid/element_blocks.h>
 
 #include <algorithm>
@@ -102,11 +106,13 @@ namespace wheelrail
 
 
   StableStep
-  step_on_path(const SweepPlan &plan, const PerBody<Elasticity> &steel, const double bulk_viscosity)
+  step_on_path(const Scene &scene, const SweepPlan &plan)
   {
-    const PerBody<SweptGrid> grids{SweptGrid(plan, Body::rail), SweptGrid(plan, Body::wheel)};
-    StableStep               stable;
-    double                   largest = 0;
+    const PerBody<Elasticity> steel{elasticity(scene.rail_material), elasticity(scene.wheel_material)};
+    const double              highest = highest_frequency(scene);
+    const PerBody<SweptGrid>  grids{SweptGrid(plan, Body::rail), SweptGrid(plan, Body::wheel)};
+    StableStep                stable;
+    double                    largest = 0;
     for (const Body body : both_bodies)
       {
         const std::vector<int>       columns = columns_on_path(plan, grids[body]);
@@ -128,17 +134,14 @@ namespace wheelrail
                 add(stable.place, 1. / 8, X);
             }
       }
-    stable.step = stable_step(largest, bulk_viscosity);
+    stable.scaled = largest > highest;
+    stable.step   = stable_step(std::min(largest, highest), scene.bulk_viscosity);
     return stable;
   }
 
 
   void
-  lower_step_to_path(const SweepPlan           &plan,
-                     const PerBody<Elasticity> &steel,
-                     const double               bulk_viscosity,
-                     const double               at_start,
-                     StableStep                &stable)
+  lower_step_to_path(const Scene &scene, const SweepPlan &plan, const double at_start, StableStep &stable)
   {
     const auto moves_nodes = [&plan](const Body body) {
       const Range stretch = moved_stretch(plan, body);
@@ -147,13 +150,27 @@ namespace wheelrail
     if (std::none_of(both_bodies.begin(), both_bodies.end(), moves_nodes))
       return;
     constexpr double even    = 1 - 1e-3;
-    const StableStep on_path = step_on_path(plan, steel, bulk_viscosity);
+    const StableStep on_path = step_on_path(scene, plan);
     const double     shorter = on_path.step / at_start;
     if (shorter > even)
       return;
     stable.step *= shorter;
+    stable.scaled = on_path.scaled;
     stable.body   = on_path.body;
     stable.length = on_path.length;
     stable.place  = on_path.place;
+  }
+
+
+  void
+  check_added_mass(const Scene &scene, const MeshQuality &quality)
+  {
+    constexpr double most = 1e-3;
+    for (const Body body : both_bodies)
+      if (quality.scaled_share[body] > most)
+        throw InputError(entry_text(scene, "Mesh", "Mass scaling") + ": it would add " +
+                         text("%.2g", 100 * quality.scaled_share[body]) + " % to the mass of the " +
+                         body_name(body) +
+                         ", and 0.1 % is accepted; leave it out, or take a smaller Mesh/Solution cell size");
   }
 } // namespace wheelrail

@@ -1,11 +1,25 @@
 #include <wheelrail/model/scene_material.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace wheelrail
 {
   Elasticity
   elasticity(const MaterialData &material)
   {
     return {material.youngs_modulus, material.poissons_ratio, material.density};
+  }
+
+
+  double
+  highest_frequency(const Scene &scene)
+  {
+    if (!scene.mass_scaling)
+      return HUGE_VAL;
+    const double speed =
+      std::max(elasticity(scene.rail_material).wave_speed(), elasticity(scene.wheel_material).wave_speed());
+    return std::pow(2 * speed / scene.cell_size, 2);
   }
 
 

@@ -42,6 +42,7 @@ namespace wheelrail
       {"elements", "", "elements", "", "", 1, 0, true, &S::elements},
       {"time_steps", "", "time steps", "", "", 1, 0, true, &S::time_steps},
       {"time_step", "s", "time step", "", "ns", 1e9, 2, false, &S::time_step},
+      {"mass_scaling", "", "mass scaling", "largest share added to a body", "%", 1e2, 4, false, nullptr},
       {"element_updates_per_second", "", "element updates per second", "", "million", 1e-6, 2, false, &S::element_updates_per_second},
       {"energy_error", "", "energy error", "relative to strain plus dissipated energy", "%", 1e2, 3, false, &S::energy_error},
       {"wall_time", "s", "wall time", "", "s", 1, 1, false, &S::wall_time},

@@ -318,6 +318,8 @@ namespace wheelrail
     summary.elements   = double(model.solid.quality.elements);
     summary.time_steps = double(run.rolling.steps());
     summary.time_step  = model.time_step;
+    if (const PerBody<double> &scaled = model.solid.quality.scaled_share; run.scene.mass_scaling)
+      set_figure(summary, "mass_scaling", std::max(scaled.rail, scaled.wheel));
     summary.element_updates_per_second =
       summary.elements * double(run.rolling.steps() - tally.first_step) / tally.loop_seconds;
     summary.ranks = dealii::Utilities::MPI::n_mpi_processes(run.communicator);

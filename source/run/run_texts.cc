@@ -25,7 +25,7 @@ namespace wheelrail
   {
     return text(
       "%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
-      "%.1f, Z %.1f mm%s%s",
+      "%.1f, Z %.1f mm%s%s%s",
       1e6 * step,
       duration / step,
       1e6 * limit.step,
@@ -34,6 +34,7 @@ namespace wheelrail
       1e3 * limit.place[0],
       1e3 * limit.place[1],
       1e3 * limit.place[2],
+      limit.scaled ? ", raised to that of a cube by mass scaling" : "",
       limit.lowered_by_edges ? ", lowered since free edges vibrate faster" : "",
       limit.of_parts > 1e-3 ? text(", by %.1f %% by pads and ballast", 100 * limit.of_parts).c_str() : "");
   }
@@ -77,6 +78,11 @@ namespace wheelrail
                    1e3 * lattice.spacing_lateral));
     log.value("worst cell", text("smallest corner Jacobian is %.2f of the mean", q.worst_jacobian));
     log.value("time step", time_step_text(model.duration, model.time_step, model.solid.stable));
+    if (scene.mass_scaling)
+      log.value("mass scaling",
+                text("adds %.2g %% to the mass of the rail, %.2g %% to that of the wheel",
+                     100 * q.scaled_share.rail,
+                     100 * q.scaled_share.wheel));
     log.value(
       "contact",
       text("penalty %.3g N/m3 (penalty scale %g) on the nodes of the rail; added surface mass keeps the step",

@@ -84,21 +84,29 @@ namespace wheelrail
     }
 
     void
-    lump_mass(Solid &solid, const Elements &elements)
+    lump_mass(Solid &solid, const Elements &elements, MPI_Comm communicator)
     {
+      PerBody<double>       added{}, whole{}; // [kg]
       AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
       solid.cell_mass.resize(solid.mesh.cells.size());
       for (const Body body : both_bodies)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
-          for (int a = 0; a < 8; ++a)
-            {
-              const double share =
+          {
+            const ElementGeometry &g      = elements.geometry[body][e];
+            const Elasticity      &steel  = solid.blocks[body].elasticity();
+            const double           factor = solid.choice.density_factor(element_frequency_bound(g, steel)),
+                         density          = factor * steel.density;
+            added[body] += (factor - 1) * steel.density * g.volume;
+            whole[body] += density * g.volume;
+            for (int a = 0; a < 8; ++a)
+              {
                 // rho integral N_a dV; hanging nodes hand it to their parents with the weights of the
                 // constraint
-                solid.blocks[body].elasticity().density * elements.geometry[body][e].node_volume[a];
-              solid.cell_mass[solid.block_cells[body][e]][a] = share;
-              mass[4 * elements.cells[body][e][a]] += share;
-            }
+                const double share                             = density * g.node_volume[a];
+                solid.cell_mass[solid.block_cells[body][e]][a] = share;
+                mass[4 * elements.cells[body][e][a]] += share;
+              }
+          }
       condense(solid.mesh, mass.data());
       sum_over_ranks(solid.mesh, mass.data());
       solid.mass.resize(solid.mesh.n_nodes());
@@ -107,6 +115,14 @@ namespace wheelrail
         solid.mass[n] = mass[4 * n];
       for (const unsigned int n : solid.mesh.hanging)
         solid.mass[n] = 0;
+      if (std::isinf(solid.choice.highest_frequency))
+        return;
+      for (const Body body : both_bodies)
+        {
+          double masses[] = {added[body], whole[body]};
+          MPI_Allreduce(MPI_IN_PLACE, masses, 2, MPI_DOUBLE, MPI_SUM, communicator);
+          solid.quality.scaled_share[body] = masses[0] / (masses[1] - masses[0]);
+        }
     }
 
     /// The stiffest element over all ranks. The linear bulk viscosity is a damping ratio of
@@ -122,11 +138,13 @@ namespace wheelrail
       for (const Body body : both_bodies)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           {
-            const double bound =
-              element_frequency_bound(elements.geometry[body][e], solid.blocks[body].elasticity());
+            const double alone = element_frequency_bound(elements.geometry[body][e],
+                                                         solid.blocks[body].elasticity()),
+                         bound = alone / solid.choice.density_factor(alone);
             if (bound > largest)
               {
                 largest       = bound;
+                stable.scaled = bound < alone;
                 stable.body   = body;
                 stable.length = std::cbrt(elements.geometry[body][e].volume);
                 stable.place  = {0, 0, 0};
@@ -169,7 +187,7 @@ namespace wheelrail
     solid.displacement.assign(4 * n_nodes, 0.);
     solid.velocity.assign(4 * n_nodes, 0.);
     solid.force.assign(4 * n_nodes, 0.);
-    lump_mass(solid, elements);
+    lump_mass(solid, elements, communicator);
     solid.stable = find_stable_step(solid, elements, choice.bulk_viscosity, communicator);
     reduce_quality(solid.quality, communicator);
   }

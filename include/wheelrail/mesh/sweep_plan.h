@@ -54,6 +54,7 @@ namespace wheelrail
     bool   moving      = false; ///< the finest cells move with the wheel
     double rail_length = 0;     ///< its middle lies under that of the rolled stretch, without `start`
     double start       = 0; ///< how much farther along the rail the wheel starts; the nearest whole blocks
+    double onward      = 1; ///< even blocks of the rail beyond them, for a run that is resumed to roll on
     Range  strip;           ///< of s with finest cells, whatever the patch; without length: around it
 
     // of a wheelset that is led
@@ -67,9 +68,9 @@ namespace wheelrail
   /// (overlap_along(), at kik_piotrowski of the approach) and the margin, at least three cells. On irregular
   /// surfaces, whose impacts spread the patch, the whole approach counts, and cells that move reach farther.
   /// Those that move cover the path through one block in place of the whole stretch; at the start they reach
-  /// no further than those that do not move. Blocks of the rail are even under the stretch and a metre beyond
-  /// it; from there on each is a quarter longer than the one before, up to four times as long; a rail that
-  /// the wheel starts farther along has the same blocks, all of them as much nearer to the start. Throws
+  /// no further than those that do not move. Blocks of the rail are even under the stretch and `onward`
+  /// beyond it; from there on each is a quarter longer than the one before, up to four times as long; a rail
+  /// that the wheel starts farther along has the same blocks, all of them as much nearer to the start. Throws
   /// InputError when the rail is too short for them or a section cannot be divided, RunError when a block
   /// would be folded.
   SweepPlan

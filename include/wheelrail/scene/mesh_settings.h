@@ -35,6 +35,7 @@ namespace wheelrail
     BehindWheel                behind_wheel = BehindWheel::automatic;
     double              planned_load = 0; ///< for whose patch fine cells are laid [N], 0: the wheel load
     std::vector<double> planned_strip;    ///< rail section x, fine cells between [m]; none: around the patch
+    bool   mass_scaling      = false;     ///< cells stiffer than a cube of the cell size get a larger density
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
     /// Depth of the layer of solution cells below both running surfaces: as given, or five cells [m].

@@ -4,7 +4,9 @@
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/kernel.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <mpi.h>
@@ -20,6 +22,7 @@ namespace wheelrail
     double  length           = 0;     ///< cube root of its volume [m]
     bool    lowered_by_edges = false; ///< the whole mesh swings faster than its stiffest element: free edges
     double  of_parts         = 0;     ///< share of the step that springs and dampers of parts have taken
+    bool    scaled           = false; ///< stiffer elements have a larger density (SolidChoice)
   };
 
   /// Of a highest squared frequency [1/s2], where the bulk viscosity has the damping ratio `viscosity` at
@@ -30,10 +33,11 @@ namespace wheelrail
   /// Quality of the hexahedra over all ranks.
   struct MeshQuality
   {
-    std::size_t elements = 0, nodes = 0, hanging = 0;
-    std::size_t rail_elements = 0, wheel_elements = 0, finest_elements = 0;
-    double      worst_jacobian = 1;        ///< smallest corner Jacobian over the mean one, 1 for bricks
-    double      smallest = 0, largest = 0; ///< cube roots of volumes [m]
+    std::size_t     elements = 0, nodes = 0, hanging = 0;
+    std::size_t     rail_elements = 0, wheel_elements = 0, finest_elements = 0;
+    double          worst_jacobian = 1;        ///< smallest corner Jacobian over the mean one, 1 for bricks
+    double          smallest = 0, largest = 0; ///< cube roots of volumes [m]
+    PerBody<double> scaled_share{};            ///< what mass scaling adds to the masses of the bodies
   };
 
   /// Mass properties of one body over all ranks, from the lumped masses.
@@ -50,6 +54,17 @@ namespace wheelrail
     PerBody<MaterialLaw> material;
     PerBody<ElementForm> form{};
     double               bulk_viscosity = 0; ///< coefficient of the linear bulk viscosity
+
+    /// Mass scaling: elements whose squared frequency (element_frequency_bound()) lies above this have so
+    /// much larger a density that it does not; infinitely large: none [1/s2].
+    double highest_frequency = HUGE_VAL;
+
+    /// The factor of their density.
+    double
+    density_factor(const double squared_frequency) const
+    {
+      return std::max(1., squared_frequency / highest_frequency);
+    }
   };
 
   /// The deformable bodies of one rank: packed elements, lumped mass, and the nodal state.
