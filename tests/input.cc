@@ -203,6 +203,7 @@ namespace
     check_near(s.coarse_cell_size, 0.032, 0, "field coarse_cell_size");
     check_near(s.fine_depth, 0.007, 0, "field fine_depth");
     check_near(s.fine_margin, 0.006, 0, "field fine_margin");
+    check(s.mass_scaling, "field mass_scaling");
     check_near(s.rolling_distance, 0.26, 0, "field rolling_distance");
     check_near(s.longest_distance, 0.3, 0, "field longest_distance");
     check_near(s.standard_error, 0.002, 0, "field standard_error");

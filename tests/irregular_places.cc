@@ -233,15 +233,22 @@ namespace
     return places;
   }
 
-  std::vector<PlaceContact>
-  places_on(const std::string &file, const double wanted = 0.05)
+  Scene
+  scene_on(const std::string &file)
   {
     Scene scene;
-    scene.wanted_accuracy        = wanted;
     scene.halfspace_element_size = 0.8e-3;
     scene.irregularities[0].kind = IrregularKind::file;
     scene.irregularities[0].file = file + ".slcw";
     scene.irregularities[0].body = IrregularBody::wheel;
+    return scene;
+  }
+
+  std::vector<PlaceContact>
+  places_on(const std::string &file, const double wanted = 0.05)
+  {
+    Scene scene           = scene_on(file);
+    scene.wanted_accuracy = wanted;
     return solve_places(scene, make_geometry(scene), 100e3, parse_irregular_places("-24:24:12 mm", false));
   }
 
@@ -256,6 +263,16 @@ namespace
         most.second = std::max(most.second, std::abs(a[k].peak_pressure / b[k].peak_pressure - 1));
       }
     return most;
+  }
+
+  void
+  check_note(const Scene &scene, const std::string &text)
+  {
+    const std::vector<std::string> notes = make_geometry(scene).notes;
+    check(std::any_of(notes.begin(),
+                      notes.end(),
+                      [&](const std::string &note) { return note.find(text) != std::string::npos; }),
+          "a note: " + text);
   }
 
   /// Whether verdicts tell, at one of the places at least, that noise leaves the peak pressure uncertain.
@@ -295,13 +312,13 @@ namespace
   {
     for (const bool grid : {false, true})
       {
-        const auto found = [grid](const double noise) {
+        Scene scene;
+        scene.halfspace_element_size = 0.8e-3;
+        scene.wheel_load             = 45e3;
+        scene.irregularities[0].kind = IrregularKind::file;
+        scene.irregularities[0].file = "hollow.csv";
+        const auto found             = [&](const double noise) {
           write_measured_hollow("hollow.csv", grid, noise);
-          Scene scene;
-          scene.halfspace_element_size = 0.8e-3;
-          scene.wheel_load             = 45e3;
-          scene.irregularities[0].kind = IrregularKind::file;
-          scene.irregularities[0].file = "hollow.csv";
           return solve_places(scene, make_geometry(scene), 45e3, parse_irregular_places("-12,0 mm", false));
         };
         const std::string at    = grid ? "heights on a grid" : "heights along a line";
@@ -310,6 +327,7 @@ namespace
         check_near(
           differences(found(1e-6), exact).second, 0, 0.03, at + " with noise of 1 um: peak pressure");
         check_noise_told(found(20e-6), true, at + " with noise of 20 um");
+        check_note(scene, " found in the heights smoothed");
       }
   }
 
@@ -336,6 +354,7 @@ namespace
     check_near(1e6 * drop, 0, 10, "slices that are off by 10 um as a whole: drop [um]");
     check_near(peak, 0, 0.06, "slices that are off by 10 um as a whole: peak pressure");
     check_noise_told(places_on("noisy", 0.02), true, "slices that are off by 10 um as a whole");
+    check_note(scene_on("noisy"), "slices off as a whole by ");
     check_noise_told(places_on("even", 0.001), false, "exact slices");
     std::vector<double> uneven;
     for (double u = -60e-3, step = 1e-3; u < 60e-3; u += step, step = step == 1e-3 ? 3e-3 : 1e-3)

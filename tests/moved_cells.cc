@@ -10,6 +10,7 @@
 #include <wheelrail/model/scene_material.h>
 
 #include <cmath>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

@@ -161,6 +161,7 @@ namespace test
       {"Mesh/Coarse cell size", "32 mm"},
       {"Mesh/Fine depth", "7 mm"},
       {"Mesh/Fine margin", "6 mm"},
+      {"Mesh/Mass scaling", "true"},
       {"Mesh/Planned load", "150 kN"},
       {"Mesh/Planned strip", "-17 mm, 20 mm"},
       {"Mesh/Prepared distance", "300 mm"},
