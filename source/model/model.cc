@@ -240,7 +240,7 @@ namespace wheelrail
       sizes.distance    = scene.mesh_distance();
       sizes.rail_length = scene.rail_length;
       sizes.start       = scene.start_offset;
-      if (scene.rail_by_slices()) // its surface ends with the path
+      if (scene.second_rail != "none") // its surface ends with the path
         sizes.onward = 0;
       sizes.moving = scene.window == MeshWindow::moving;
       plan_for_path(geometry, path, sizes);
