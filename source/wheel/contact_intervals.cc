@@ -88,8 +88,9 @@ namespace wheelrail
         const ElementResult &fine = results[0][k];
         std::vector<double>  changes;
         for (std::size_t c = 1; c < solved.size(); ++c)
-          // what slides as a whole is no measure of creep
-          if (!fine.creep || (solved[0].solution.within_friction && solved[c].solution.within_friction))
+          // what slides as a whole is no measure of creep, and may have no results of it
+          if (k < results[c].size() &&
+              (!fine.creep || (solved[0].solution.within_friction && solved[c].solution.within_friction)))
             changes.push_back(results[c][k].value - fine.value);
         if (changes.empty())
           continue;
