@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -176,24 +177,35 @@ namespace wheelrail
         return contact_modulus(1e6 * m.shear[0], m.poisson[0], 1e6 * m.shear[1], m.poisson[1]);
       }
 
+      struct ForceAtHeight
+      {
+        double height, force; ///< [m], [N]
+      };
+
+      /// Takes the slope of force over height from the last two heights where it is near the one known.
+      void
+      follow_slope(std::optional<ForceAtHeight> &last, const ForceAtHeight &here)
+      {
+        if (last && here.height != last->height)
+          if (const double s = (here.force - last->force) / (here.height - last->height);
+              s > 0.2 * slope_ && s < 5 * slope_)
+            slope_ = s;
+        last = here;
+      }
+
       /// From a height to the one at which the pressures alone carry their share of the load, by secants: a
       /// solution without friction takes a third of one with it.
       double
       lowered(double height)
       {
-        double before = 0, force_before = 0;
+        std::optional<ForceAtHeight> last;
         for (int k = 0; k < 6; ++k)
           {
             pressed_            = at(height, false).force_track[2];
             const double missed = pressed_ - share_ * wanted(height);
             if (std::abs(missed) < 1e-6 * std::abs(wanted(height)))
               break;
-            if (k > 0 && height != before)
-              if (const double s = (pressed_ - force_before) / (height - before);
-                  s > 0.2 * slope_ && s < 5 * slope_)
-                slope_ = s;
-            before            = height;
-            force_before      = pressed_;
+            follow_slope(last, {height, pressed_});
             const double next = height - missed / (slope_ + spring_);
             if (!(next > touching_))
               break;
@@ -206,9 +218,10 @@ namespace wheelrail
       WheelRailCase
       carry(double height)
       {
-        constexpr double enough = 2e-6; // of the load
-        WheelRailCase    here;
-        double           low = touching_, high = 1, before = 0, force_before = 0;
+        constexpr double             enough = 2e-6; // of the load
+        WheelRailCase                here;
+        double                       low = touching_, high = 1;
+        std::optional<ForceAtHeight> last;
         for (int k = 0; k < 40; ++k)
           {
             if (k < 3 && share_ > 0) // else the first height is near
@@ -222,12 +235,7 @@ namespace wheelrail
             if (std::abs(missed) < enough * std::abs(wanted(height)))
               return here;
             (missed < 0 ? low : high) = height;
-            if (k > 0 && height != before)
-              if (const double s = (Fz - force_before) / (height - before);
-                  s > 0.2 * slope_ && s < 5 * slope_)
-                slope_ = s;
-            before       = height;
-            force_before = Fz;
+            follow_slope(last, {height, Fz});
             height -= missed / (slope_ + spring_);
             if (!(height > low && height < high))
               height = 0.5 * (low + std::min(high, low + 2e-3));
