@@ -15,7 +15,6 @@ namespace wheelrail
   namespace
   {
     constexpr double nothing = -HUGE_VAL;
-    constexpr double spacing = crossing_spacing;
     constexpr double near    = 0.3e-3; // of the wheel: under load it comes there [m]
 
     /// The larger of two heights, rounded where they differ by less than 0.4 mm, up to the second derivative.
@@ -249,9 +248,9 @@ namespace wheelrail
   void
   CrossingSurface::keep(std::size_t first, std::size_t end)
   {
-    const auto beside = static_cast<std::size_t>(20e-3 / spacing);
+    const auto beside = static_cast<std::size_t>(20e-3 / crossing_spacing);
     const auto circle = static_cast<std::size_t>( // 2D-Geo looks from there
-      std::lower_bound(across.begin(), across.end(), -0.5 * spacing) - across.begin());
+      std::lower_bound(across.begin(), across.end(), -0.5 * crossing_spacing) - across.begin());
     first             = std::min(first, circle);
     end               = std::max(end, circle + 1);
     first             = first > beside ? first - beside : 0;

@@ -6,7 +6,6 @@
 #include <array>
 #include <vector>
 
-
 // Forces, gradients and Cauchy stresses of both elements: F = 1 + H, E = (H + H' + H'H)/2, sigma = F S F'/det
 // F (doc/theory/element.md).
 

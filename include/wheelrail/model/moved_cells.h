@@ -8,8 +8,8 @@ namespace wheelrail
 {
   /// What limits the step anywhere on the path: the stiffest cell (element_frequency_bound()) of the columns
   /// of blocks that come to have finest cells, where nodes that irregularities move lie there. Where none are
-  /// moved all columns are alike, and one is looked at. Takes 10 us a cell. Mass
-  /// scaling counts. Throws RunError where a cell is folded.
+  /// moved all columns are alike, and one is looked at. Takes 10 us a cell. Mass scaling
+  /// counts. Throws RunError where a cell is folded.
   StableStep
   step_on_path(const Scene &scene, const SweepPlan &plan);
 
