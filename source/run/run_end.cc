@@ -144,7 +144,8 @@ namespace wheelrail
       summary.velocity = path.velocity.at(middle);
     }
 
-    /// Holds the peak pressure against that of half-spaces, and adds both figures.
+    /// Holds the peak pressure against that of half-spaces, and adds both figures. Solves the noise of
+    /// measured surfaces, too, with the wheel where the means were taken.
     NoiseEffect
     compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary, Measures &measures)
     {
@@ -158,7 +159,15 @@ namespace wheelrail
           measure_against(halfspace, scene, summary, measures);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
           set_figure(summary, "relative_difference_max_pressure", measures.peak_difference);
-          noise = noise_effect(scene, geometry, summary.normal_force);
+          if (draws_irregularities(geometry) && !measures.off_rail())
+            {
+              const double there = middle_of_means(scene, summary, measures);
+              noise              = noise_effect(scene,
+                                   standing(geometry, there, -there / geometry.contact.rolling_radius),
+                                   summary.normal_force);
+            }
+          else
+            noise = noise_effect(scene, geometry, summary.normal_force);
           if (std::isfinite(noise.peak))
             set_figure(summary, "noise_effect_max_pressure", noise.peak);
         }
@@ -227,13 +236,6 @@ namespace wheelrail
       noise = compare_peak_on_path(scene, geometry, summary, measures);
     else if (!measures.off_rail())
       noise = compare_peak(scene, geometry, summary, measures);
-    if (draws_irregularities(geometry) && !measures.off_rail())
-      {
-        const double there = middle_of_means(scene, summary, measures);
-        noise              = noise_effect(
-          scene, standing(geometry, there, -there / geometry.contact.rolling_radius), summary.normal_force);
-        set_figure(summary, "noise_effect_max_pressure", noise.peak);
-      }
     // elastic bodies are no reference of steel that has flowed
     const Contributions bodies =
       measures.has_yielded() ? Contributions() : measure_against_bodies(scene, geometry, summary, measures);

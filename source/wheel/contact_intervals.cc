@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace wheelrail
 {
@@ -15,7 +16,7 @@ namespace wheelrail
     /// A result of elements.
     struct ElementResult
     {
-      const char *name;
+      std::string name;
       double      value; ///< [SI]
       bool   creep;   ///< errs with the first power of the element size, else with the second, or by chance
       double scale;   ///< that is natural to it [SI]
@@ -83,20 +84,20 @@ namespace wheelrail
     // a ridge is narrower than the patch
     const double  across_peak = std::clamp(patch.measures.cells_across, 1., std::max(1., across));
     Contributions contributions;
-    for (std::size_t k = 0; k < results[0].size(); ++k)
+    for (const ElementResult &fine : results[0])
       {
-        const ElementResult &fine = results[0][k];
-        std::vector<double>  changes;
+        std::vector<double> changes;
         for (std::size_t c = 1; c < solved.size(); ++c)
           // what slides as a whole is no measure of creep, and may have no results of it
-          if (k < results[c].size() &&
-              (!fine.creep || (solved[0].solution.within_friction && solved[c].solution.within_friction)))
-            changes.push_back(results[c][k].value - fine.value);
+          if (!fine.creep || (solved[0].solution.within_friction && solved[c].solution.within_friction))
+            for (const ElementResult &coarse : results[c])
+              if (coarse.name == fine.name)
+                changes.push_back(coarse.value - fine.value);
         if (changes.empty())
           continue;
         const auto [least, most] = std::minmax_element(changes.begin(), changes.end());
         const double mean = 0.5 * (*least + *most), largest = std::max(std::abs(*least), std::abs(*most));
-        const double n = std::string(fine.name).find("max_pressure") == 0 ? across_peak : across;
+        const double n = fine.name.find("max_pressure") == 0 ? across_peak : across;
         if (fine.creep) // how the elements happen to lie says how well the line towards none is known
           contributions.push_back(
             {fine.name, "elements", -mean, changes.size() > 1 ? *most - *least : largest});

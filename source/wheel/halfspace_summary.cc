@@ -228,14 +228,14 @@ namespace wheelrail
       constexpr double of_elements = 4; // over those across the patch
       Contributions    all         = contributions;
       const auto value = [&](const char *name) { return get_figure(results, figure_named(name).key()); };
-      for (const char *name : {"frictional_power", "archard_section"})
+      const auto add   = [&](const char *name, const bool shifts) {
         if (const double share = value(name) / value("t_gamma"); std::isfinite(share))
           for (const Contribution &one : contributions)
             if (one.result == "t_gamma")
-              all.push_back({name,
-                             one.cause,
-                             std::string(name) == "archard_section" ? 0 : share * one.shift,
-                             share * one.spread});
+              all.push_back({name, one.cause, shifts ? share * one.shift : 0, share * one.spread});
+      };
+      add("frictional_power", true);
+      add("archard_section", false);
       const double across =
         std::min(results.patch_lateral, results.patch_longitudinal) / get_figure(results, "grid_spacing_m");
       if (const double spread = of_elements / across * value("archard_section"); std::isfinite(spread))
