@@ -44,8 +44,15 @@ def patch_tables(folder):
             yield title, columns.read(path)
 
 
+def digits_of(values, digits):
+    """As many that the largest value of a column has four, for units in a file may be others than of steel."""
+    largest = np.nanmax(np.abs(values))
+    return digits if digits == 0 or largest == 0 else max(digits, min(9, 3 - int(np.floor(np.log10(largest)))))
+
+
 def rows_of(table):
-    shown = [column for column in COLUMNS if column[0] in table and np.isfinite(table[column[0]]).any()]
+    shown = [(key, factor, label, digits_of(factor * table[key], digits)) for key, factor, label, digits in COLUMNS
+             if key in table and np.isfinite(table[key]).any()]
     rows = ["<tr>" + "".join(f"<th class=number>{html.escape(page.printed_header(label))}</th>" for _, _, label, _ in shown) + "</tr>"]
     for k in range(min(MOST_ROWS, len(table["case"]))):
         cells = (page.number(table[key][k], factor, digits) if np.isfinite(table[key][k]) else ""
@@ -57,7 +64,9 @@ def rows_of(table):
 
 
 def draw_cases(tables, path):
-    """Peak pressure and normal force over the cases."""
+    """Peak pressure and normal force over the cases; of one there is nothing to see."""
+    if max((len(table["case"]) for _, table in tables), default=0) < 2:
+        return None
     figure, (upper, lower) = plt.subplots(2, 1, figsize=(7.6, 6), sharex=True)
     for (title, table), color in zip(tables, (style.BLUE, style.RED)):
         label = title.split(":")[0]
@@ -66,8 +75,9 @@ def draw_cases(tables, path):
     upper.set_ylabel("peak pressure [MPa]")
     lower.set_ylabel("normal force [kN]")
     lower.set_xlabel("case")
+    lower.xaxis.get_major_locator().set_params(integer=True)
     for axes in (upper, lower):
-        axes.set_ylim(bottom=0)
+        axes.set_ylim(0, 1.1 * axes.get_ylim()[1])
         axes.grid(True)
         axes.legend()
     figure.tight_layout()
@@ -83,7 +93,8 @@ def maps(folder, tables):
     for case, patch in (rows[k] for k in np.unique(np.linspace(0, len(rows) - 1, min(MOST_MAPS, len(rows))).round().astype(int))):
         with h5py.File(os.path.join(folder, f"case_{case}.h5"), "r") as file:
             fields = file[f"tick_{patch - 1:04d}"]
-            yield case, patch, {name: fields[name][()] for name in ("along", "lateral", "pressure", "state")}
+            if fields["pressure"].size > 1:
+                yield case, patch, {name: fields[name][()] for name in ("along", "lateral", "pressure", "state")}
 
 
 def draw_pressures(folder, tables, path):
@@ -98,20 +109,23 @@ def draw_pressures(folder, tables, path):
         axes.set_visible(False)
     for axes, (case, patch, fields) in zip(all_axes.flat, shown):
         x, y, pressure = 1e3 * fields["along"], 1e3 * fields["lateral"], 1e-6 * fields["pressure"]
+        axes.set_title(f"case {case}, patch {patch}")
+        axes.set_xlabel("along the track [mm]")
+        if min(pressure.shape) == 1:  # two cylinders
+            axes.plot(x if len(x) > 1 else y, pressure.ravel())
+            axes.set_ylabel("pressure [MPa]")
+            continue
         picture = axes.pcolormesh(x, y, np.where(pressure > 0, pressure, np.nan), cmap=style.HIGH, shading="nearest")
         figure.colorbar(picture, ax=axes, label="pressure [MPa]")
         stick = fields["state"] == 1
-        if min(stick.shape) > 1 and stick.any() and not stick.all():
+        if stick.any() and not stick.all():
             axes.contour(x, y, stick.astype(float), levels=[0.5], colors="white", linewidths=0.9)
         touches = pressure > 0
         axes.set_xlim(x[touches].min() - 1, x[touches].max() + 1)
         axes.set_ylim(y[touches].min() - 1, y[touches].max() + 1)
-        if min(pressure.shape) > 1:
-            axes.set_aspect("equal", adjustable="datalim")
-        axes.set_title(f"case {case}, patch {patch}")
-        axes.set_xlabel("along the track [mm]")
+        axes.set_aspect("equal", adjustable="datalim")
     for axes in all_axes[:, 0]:
-        axes.set_ylabel("across [mm]")
+        axes.set_ylabel(axes.get_ylabel() or "across [mm]")
     figure.savefig(path)
     plt.close(figure)
     return ("Pressures" if len(shown) < MOST_MAPS else f"Pressures of {MOST_MAPS} contacts") + "; white: border of adhesion", path
