@@ -25,7 +25,6 @@ using namespace wheelrail;
 
 namespace
 {
-
   // Number of blocks at each edge.
   std::map<Section::EdgeKey, unsigned int>
   edge_use(const Section &section)
@@ -370,7 +369,6 @@ namespace
     WheelDimensions thin, hub;
     thin.rim_width       = 0.1;
     hub.hub_outer_radius = 0.38;
-    std::cout << std::endl;
     test::check(refused([&] { make_rail_section(rail, contact.rail, wide, 0.016); }),
                 "strip wider than the head");
     test::check(refused([&] { make_rail_section(rail, contact.rail, good, 0); }), "block size zero");
