@@ -68,6 +68,18 @@ namespace wheelrail
           }
     }
 
+    /// The approach of bodies that stand where they stand: as far as they would overlap.
+    void
+    set_approach(HalfspaceProblem &problem)
+    {
+      const double nearest =
+        *std::min_element(problem.undeformed_distance.begin(), problem.undeformed_distance.end());
+      for (double &h : problem.undeformed_distance)
+        h -= nearest;
+      problem.force_given = false;
+      problem.approach    = std::max(0., -nearest);
+    }
+
     /// With rows that turn (C = 4), or with divisions between them.
     HalfspaceSolution
     solved(const ContactCase                 &one,
@@ -123,12 +135,7 @@ namespace wheelrail
     for (std::size_t e = 0; patch.curved && e < surfaces.gap.size(); ++e)
       problem.undeformed_distance[e] *= std::cos(rows.angle[e / std::size_t(problem.grid.mx)] - place.angle);
     keep_within(own, problem);
-    const double nearest =
-      *std::min_element(problem.undeformed_distance.begin(), problem.undeformed_distance.end());
-    for (double &h : problem.undeformed_distance)
-      h -= nearest;
-    problem.force_given = false;
-    problem.approach    = std::max(0., -nearest);
+    set_approach(problem);
     if (rolls)
       set_motion(place, rows, surfaces, problem, patch);
     else

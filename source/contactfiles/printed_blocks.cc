@@ -164,6 +164,43 @@ namespace wheelrail
              text("%7d%12d%12d   %12.4f\n\n", p.mirror_y, p.mirror_z, p.smoothing_method, p.smoothing);
     }
 
+    /// Where the wheelset stands, how it moves and how it is bent.
+    std::string
+    wheelset_lines(const ContactWheelset &w, const WheelRailCase &solved, const bool roller)
+    {
+      std::string lines = text(
+        " WHEEL-SET POSITION AND VELOCITY\n     %s        Y_WS        Z_WS        ROLL_WS     YAW_WS    "
+        "  PITCH_WS\n  %12s%12s%12.4f%12s%12s%12s\n\n",
+        roller ? "X_WS" : "S_WS",
+        printed_number(w.position[0]).c_str(),
+        printed_number(w.position[1]).c_str(),
+        solved.height / millimetre,
+        printed_number(w.position[3]).c_str(),
+        printed_number(w.position[4]).c_str(),
+        printed_number(w.position[5]).c_str());
+      lines += text(
+        "    %s  VY_WS       VZ_WS       VROLL_WS    VYAW_WS     VPITCH_WS\n"
+        "  %12s%12s%12s%12s%12s%12.7f\n\n",
+        roller ? "VPITCH_ROL " : " VX_WS     ",
+        (roller ? text("%.7f", w.velocity[0]) : printed_number(w.velocity[0])).c_str(),
+        printed_number(w.velocity[1]).c_str(),
+        printed_number(w.velocity[2]).c_str(),
+        printed_number(w.velocity[3]).c_str(),
+        printed_number(w.velocity[4]).c_str(),
+        solved.pitch_rate);
+      bool bent = false;
+      for (const double f : w.flexible)
+        bent |= f != 0;
+      if (bent)
+        lines +=
+          " FLEXIBLE WHEEL-SET DEVIATIONS\n"
+          "     DXWHL       DYWHL       DZWHL       DROLLW      DYAWW       DPITCHW\n" +
+          printed_row(Row(w.flexible.begin(), w.flexible.begin() + 6)) +
+          "     VXWHL       VYWHL       VZWHL       VROLLW      VYAWW       VPITCHW\n" +
+          printed_row(Row(w.flexible.begin() + 6, w.flexible.end())) + "\n";
+      return lines;
+    }
+
     /// What the case read of track and wheelset, and where the wheelset stands.
     std::string
     wheel_rail_head(const ContactCase &one, const WheelRailCase &solved)
@@ -205,37 +242,7 @@ namespace wheelrail
                                 t.springs[3]});
       if (one.written.extra == 3 || one.written.extra == 5)
         lines += profile_lines("WHEEL", w.profile);
-      lines += text(
-        " WHEEL-SET POSITION AND VELOCITY\n     %s        Y_WS        Z_WS        ROLL_WS     YAW_WS    "
-        "  PITCH_WS\n  %12s%12s%12.4f%12s%12s%12s\n\n",
-        roller ? "X_WS" : "S_WS",
-        printed_number(w.position[0]).c_str(),
-        printed_number(w.position[1]).c_str(),
-        solved.height / millimetre,
-        printed_number(w.position[3]).c_str(),
-        printed_number(w.position[4]).c_str(),
-        printed_number(w.position[5]).c_str());
-      lines += text(
-        "    %s  VY_WS       VZ_WS       VROLL_WS    VYAW_WS     VPITCH_WS\n"
-        "  %12s%12s%12s%12s%12s%12.7f\n\n",
-        roller ? "VPITCH_ROL " : " VX_WS     ",
-        (roller ? text("%.7f", w.velocity[0]) : printed_number(w.velocity[0])).c_str(),
-        printed_number(w.velocity[1]).c_str(),
-        printed_number(w.velocity[2]).c_str(),
-        printed_number(w.velocity[3]).c_str(),
-        printed_number(w.velocity[4]).c_str(),
-        solved.pitch_rate);
-      bool bent = false;
-      for (const double f : w.flexible)
-        bent |= f != 0;
-      if (bent)
-        lines +=
-          " FLEXIBLE WHEEL-SET DEVIATIONS\n"
-          "     DXWHL       DYWHL       DZWHL       DROLLW      DYAWW       DPITCHW\n" +
-          printed_row(Row(w.flexible.begin(), w.flexible.begin() + 6)) +
-          "     VXWHL       VYWHL       VZWHL       VROLLW      VYAWW       VPITCHW\n" +
-          printed_row(Row(w.flexible.begin() + 6, w.flexible.end())) + "\n";
-      return lines;
+      return lines + wheelset_lines(w, solved, roller);
     }
 
     std::string
