@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+// Hertz (1882) in the notation of Johnson (1985), chapter 4: h = A x^2 + B y^2, p = p0 sqrt(1 - x^2/a^2 -
+// y^2/b^2).
+
 namespace wheelrail
 {
   namespace
@@ -42,7 +45,8 @@ namespace wheelrail
       contact.B             = pressure_ratio * f.steep / long_axis;
       contact.approach      = pressure_ratio * f.approach * long_axis;
       contact.peak_pressure = pressure_ratio * modulus;
-      contact.force         = 2. / 3 * M_PI * contact.a * contact.b * contact.peak_pressure;
+      // N = 2/3 pi a b p0: the volume below the half ellipsoid of the pressure
+      contact.force = 2. / 3 * M_PI * contact.a * contact.b * contact.peak_pressure;
       if (!long_x)
         {
           std::swap(contact.a, contact.b);
@@ -55,6 +59,7 @@ namespace wheelrail
     double
     loaded_axis(const double g, const double c, const double modulus, const HertzLoad &load)
     {
+      // c a^3 = N/(2/3 pi g E*), or c a^2 = approach/(g K(e)), a the long axis
       return load.force_given ? std::cbrt(load.value / (2. / 3 * M_PI * g * c * modulus))
                               : std::sqrt(load.value / (ellipse_factors(g).approach * c));
     }
@@ -64,6 +69,7 @@ namespace wheelrail
   double
   contact_modulus(const double shear1, const double poisson1, const double shear2, const double poisson2)
   {
+    // 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 with E = 2 G (1 + nu)
     return 1 / ((1 - poisson1) / (2 * shear1) + (1 - poisson2) / (2 * shear2));
   }
 
@@ -97,6 +103,7 @@ namespace wheelrail
   HertzContact
   hertz_of_strip(const double a, const double b, const double modulus, const double force)
   {
+    // A = 2 F'/(pi a^2 E*) and p0 = 2 F'/(pi a) with F' = F/2b (Johnson 1985, 4.43 and 4.45)
     return {a, b, force / (M_PI * a * a * b * modulus), 0, force, 0, force / (M_PI * a * b)};
   }
 

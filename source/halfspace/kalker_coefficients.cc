@@ -77,7 +77,7 @@ namespace wheelrail
       const double      place = std::clamp(10 * ratio - 1, 0., 9.);
       const std::size_t k     = std::min<std::size_t>(8, static_cast<std::size_t>(place));
       const double      t     = place - double(k);
-      // a parabola through the three ratios
+      // Lagrange's parabola through nu = 0, 1/4 and 1/2, linear between two ratios of the axes
       const double share[3] = {8 * (poisson - 0.25) * (poisson - 0.5),
                                -16 * poisson * (poisson - 0.5),
                                8 * poisson * (poisson - 0.25)};

@@ -1,5 +1,8 @@
 #include <wheelrail/halfspace/plastic_layer.h>
 
+// A layer that yields in shear at |t| = tau_c and hardens with the length of its plastic displacement u_p:
+// t + h s = g n while it does (doc/theory/halfspace.md, Algorithms; CONTACT's M = 4).
+
 namespace wheelrail
 {
   namespace

@@ -1,5 +1,9 @@
 #include <wheelrail/halfspace/run_in.h>
 
+// What ran into the contact within a step dq longer than an element: its slip is (u - u_edge)/(share dq),
+// u_edge at the leading edge, share the part of dq since then (doc/theory/halfspace.md, Frame and signs), as
+// in CONTACT.
+
 namespace wheelrail
 {
   std::vector<RunIn>

@@ -30,6 +30,7 @@ namespace wheelrail
             here_[component][b]       = kernels_.of(a + 1, b, 0);
             Spectrum       &slip      = slip_[component][b];
             const Spectrum &displaced = here_[component][b], &before = kernels_.of(a + 1, b, step);
+            // of the slip: (A - A')/dq, A' with the loads seen a step dq ahead
             slip.resize(displaced.size());
             for (std::size_t m = 0; m < slip.size(); ++m)
               slip[m] = (displaced[m] - before[m]) / step;
@@ -76,7 +77,9 @@ namespace wheelrail
     for (std::size_t e = 0; e < n; ++e)
       {
         const double c = cosine_[e / mx], s = sine_[e / mx];
+        // sum over J of w turned by a_J into the plane: w_s cos a_J - w_n sin a_J, w_s sin a_J + w_n cos a_J
         const double across = y_cos[e] - n_sin[e], down = y_sin[e] + n_cos[e];
+        // and by -a_I into the directions of the row, less the half-space in a plane
         if (result[1])
           (*result[1])[e] += c * across + s * down - y[e];
         if (result[2])

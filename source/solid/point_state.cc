@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+// Stress and plastic strain at a point of an element, outside of the kernels, by the same laws
+// (doc/manual/material.md, Theory).
+
 namespace wheelrail
 {
   namespace

@@ -226,6 +226,7 @@ namespace wheelrail
       if (solid.mesh.owns(n) && solid.mesh.node_body[n] == body)
         {
           const Vector3 X = solid.mesh.place(n);
+          // m, m X and the moment of inertia as sums over lumped masses
           sum[0] += solid.mass[n];
           for (int i = 0; i < 3; ++i)
             sum[1 + i] += solid.mass[n] * X[i];

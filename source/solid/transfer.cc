@@ -10,6 +10,9 @@
 #include <cstring>
 #include <stdexcept>
 
+// Displacements, velocities and histories of one mesh on another, rank to rank (doc/theory/mesh.md,
+// Transfer): u_new = u_old + (F - I) dX, v_new = v_old + dF/dt dX, with the nodal F of the old mesh.
+
 namespace wheelrail
 {
   namespace
@@ -178,6 +181,7 @@ namespace wheelrail
         value             = Value();
         for (unsigned int a = 0; a < 8; ++a)
           {
+            // trilinear shape function of corner a
             const double weight =
               (a & 1 ? x[0] : 1 - x[0]) * (a >> 1 & 1 ? x[1] : 1 - x[1]) * (a >> 2 ? x[2] : 1 - x[2]);
             const Value &corner = values_[corners_[found->second][a]];
