@@ -14,6 +14,8 @@ from checks import check, finish
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "source", "report"))
 sys.dont_write_bytecode = True
+import history_pictures  # noqa: E402
+import inputs  # noqa: E402
 import wheelrail  # noqa: E402
 
 
@@ -54,4 +56,9 @@ check(volume["von_mises_stress"].unit == "Pa" and volume["points"].shape[1] == 3
 check("There is no folder" in message(lambda: wheelrail.load("nowhere")), "a folder that is not there")
 with tempfile.TemporaryDirectory() as empty:
     check("summary.json" in message(lambda: wheelrail.load(empty).summary, wheelrail.MissingFile), "an empty folder")
+rails = {"Profiles/Wheel": "S1002", "Profiles/Rail": "sections/wing.slcs", "Profiles/Second rail": "sections/nose.slcs"}
+check(inputs.rows(rails)[0][1].startswith("S1002 wheel on rails wing.slcs and nose.slcs,"), "a page names both rails")
+shares = {name: wheelrail.Array([1.0, 2.0], "N") for name in ("vertical_force", "first_rail_force", "lateral_force")}
+check(history_pictures.force_groups(shares) == [["vertical_force"], ["lateral_force"]],
+      "forces on two rails have no mean, which the summary does not know, nor a place among small ones")
 finish()

@@ -25,8 +25,10 @@ FORCE_TITLES = ("Normal and vertical forces", "Longitudinal and lateral forces")
 
 
 def force_groups(history):
-    """Names of the forces that carry the load and of the others, those that are there."""
-    names = [name for name, values in history.items() if values.unit == "N" and np.isfinite(values).any()]
+    """Names of the forces that carry the load and of the others, those that are there; shares of two rails are in
+    irregular_pictures."""
+    names = [name for name, values in history.items()
+             if values.unit == "N" and np.isfinite(values).any() and not name.endswith("_rail_force")]
     large = [name for name in names if name in ("normal_force", "vertical_force", "axle_vertical_force", "wheel_load")]
     return [group for group in (large, [name for name in names if name not in large]) if group]
 

@@ -33,7 +33,9 @@ def title(entries, what):
 
 def _profiles(entry):
     wheel, rail = (os.path.basename(entry("Profiles/" + body)) for body in ("Wheel", "Rail"))
-    text = f"{wheel} wheel on {rail} rail, inclination {entry('Track/Rail inclination').replace('/', ':')}"
+    second = os.path.basename(entry("Profiles/Second rail"))
+    rails = f"{rail} rail" if second in ("none", "") else f"rails {rail} and {second}"
+    text = f"{wheel} wheel on {rails}, inclination {entry('Track/Rail inclination').replace('/', ':')}"
     left = [entry(f"Profiles/{body} left") for body in ("Wheel", "Rail")]
     if entry("Wheelset/Wheels") == "both" and any(name not in ("as right", "") for name in left):
         wheel, rail = (right if name in ("as right", "") else os.path.basename(name) for right, name in zip((wheel, rail), left))
