@@ -135,6 +135,9 @@ namespace
       "1 2\n3 nan\n",
       "r.txt:2: \"nan\" is not a number; a line of points holds two: lateral and vertical coordinate");
     check_profile(
+      "nan 2\n1 2\n3 4\n",
+      "r.txt:1: \"nan\" is not a number; a line of points holds two: lateral and vertical coordinate");
+    check_profile(
       "1 2\n3\n",
       "r.txt:2: \"3\" holds 1 number; a line of points holds two: lateral and vertical coordinate");
     check_profile("12,5;3,7\n13.5;3,7\n",

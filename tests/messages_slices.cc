@@ -222,6 +222,19 @@ namespace
     noted({"Profiles/Rail = sinking.slcs"},
           "Profiles/Rail = sinking.slcs: its section changes where the run starts: the surface goes over to "
           "the slices between 10 mm and 60 mm");
+    const std::string sections = WHEELRAIL_SOURCE_DIR "/prm/sections/";
+    check_text(
+      validated({"Profiles/Rail = " + sections + "wing.slcs",
+                 "Profiles/Second rail = " + sections + "nose.slcs",
+                 "Profiles/Rail place = 360 mm",
+                 "Profiles/Rail mirror = yes",
+                 "Mesh/Solution cell size = 2 mm",
+                 "Run/Rolling distance = 200 mm"}),
+      "plain.prm: Mesh/Coarse cell size = 16 mm: rail and wheel cannot be divided into cells at "
+      "Wheelset/Lateral shift = 0 mm: The wheel section cannot be built: the fine cells reach so far up the "
+      "flange that no block of 16 mm fits between them and its tip. Does y of all slices point to the field "
+      "side (Profiles/Rail mirror)?",
+      "both rails mirrored");
     check_text(
       validated({"Profiles/Rail = deep.slcs"}),
       "--set: Profiles/Rail = deep.slcs: between -100 mm and 160 mm its sections do not lie over each other "

@@ -172,7 +172,10 @@ namespace wheelrail
           found.errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
                                  ": rail and wheel cannot be divided into cells at " +
                                  entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what() +
-                                 what_fits(scene, geometry));
+                                 what_fits(scene, geometry) +
+                                 (scene.rail_by_slices()
+                                    ? " Does y of all slices point to the field side (Profiles/Rail mirror)?"
+                                    : ""));
         }
     }
 

@@ -85,15 +85,28 @@ namespace wheelrail
       return content;
     }
 
+    bool
+    is_no_number(const std::string &field)
+    {
+      const std::string word = lower(field);
+      return word == "nan" || word == "inf" || word == "-nan" || word == "-inf";
+    }
+
     /// Lines of numbers before the points would be points where the heading was not understood: they are
-    /// told.
+    /// told. One with a "nan" is a faulty point.
     void
-    note_headings(FileContent &content, const std::vector<Line> &lines, const std::size_t begin)
+    note_headings(FileContent             &content,
+                  const std::vector<Line> &lines,
+                  const std::size_t        begin,
+                  const std::string       &file)
     {
       std::size_t count = 0;
+      LeftOut     none;
       for (std::size_t i = 0; i < begin; ++i)
         {
           const auto fields = fields_of(without_comment(lines[i].text, "!#%"));
+          if (fields.size() > 1 && (is_no_number(fields[0]) || is_no_number(fields[1])))
+            numbers_of(lines[i], 2, file, none); // says so
           count += !fields.empty() && number_of(fields[0]).has_value();
         }
       if (count > 0)
@@ -149,7 +162,7 @@ namespace wheelrail
     if (commas)
       content.notes.push_back("decimal commas read as points");
     if (format != Format::simpack && begin < lines.size())
-      note_headings(content, lines, begin);
+      note_headings(content, lines, begin, file);
     const auto off =
       std::count_if(lines.begin(), lines.end(), [](const Line &line) { return line.text[0] == '"'; });
     if (content.points.empty())
