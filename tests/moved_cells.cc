@@ -4,6 +4,7 @@
 #include "messages.h"
 #include "parallel.h"
 
+#include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/moved_cells.h>
 #include <wheelrail/model/scene_geometry.h>
@@ -94,5 +95,6 @@ main(int argc, char **argv)
     "Mesh/Mass scaling = true: it would add 0.78 % to the mass of the rail, and 0.1 % is accepted; leave it "
     "out, or take a smaller Mesh/Solution cell size",
     "mass scaling of large cells");
+  check(!scene_on_coarser_cells(scene).mass_scaling, "a second run on larger cells has none");
   return parallel.report();
 }

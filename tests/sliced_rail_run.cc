@@ -224,6 +224,7 @@ namespace
     scene.cell_size           = 4e-3;
     scene.fine_margin         = 4e-3;
     scene.fine_depth          = 8e-3;
+    scene.mass_scaling        = false;
     scene.ticks               = 1;
     scene.volume_fields       = false;
     scene.checkpoint_interval = 1e4;

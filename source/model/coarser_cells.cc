@@ -24,6 +24,7 @@ namespace wheelrail
     coarser.cell_size        = 2 * scene.cell_size;
     coarser.coarse_cell_size = std::max(scene.coarse_cell_size, coarser.cell_size);
     coarser.fine_margin      = std::max(scene.fine_margin, coarser.cell_size);
+    coarser.mass_scaling     = false; // may be too much for large cells
     if (scene.fine_depth > 0)
       coarser.fine_depth = std::max(scene.fine_depth, 2 * coarser.cell_size);
     if (scene.motion == "none" && !scene.irregular() && scene.evaluate_at == 0 &&
