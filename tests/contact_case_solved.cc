@@ -160,6 +160,7 @@ main()
 {
   test_printed_rows("basic.inp", "contact_basic_cases.csv");
   test_printed_rows("layers.inp", "contact_layer_cases.csv");
+  test_printed_rows("falling.inp", "contact_falling_cases.csv");
   test_printed_rows("heat.inp", "contact_heat_cases.csv", 3e-3);
   test_points();
   test_past();

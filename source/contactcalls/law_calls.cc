@@ -137,7 +137,7 @@ cntc_setsolverflags(const int    *ire,
                  iteration.maxnr             = std::max(1, integers[2]);
                  iteration.maxout            = std::max(1, integers[3]);
                  iteration.eps               = reals[0];
-                 iteration.relaxation.assign(reals + 1, reals + *n_reals);
+                 iteration.initial_slip      = *G >= 2 && *G <= 4 ? integers[4] : 0;
                });
 }
 

@@ -246,6 +246,7 @@ namespace wheelrail
           }
         heat.plastic_share = material.plastic_heat;
       }
+    problem.from_sliding  = one.iteration.initial_slip < 0;
     problem.memory_length = millimetre * one.friction.memory_length;
     if (one.friction.memory_speed > 0)
       problem.memory_least_speed = millimetre * one.friction.memory_speed;

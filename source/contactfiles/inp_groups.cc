@@ -99,14 +99,14 @@ namespace wheelrail
                                 int(v[3]),
                                 v[4],
                                 group.value(5, one.iteration.largest),
-                                {},
+                                0,
                                 group.line};
         if (written.solver == 2 || written.solver == 3)
-          one.iteration.relaxation = words.group("OMEGAH OMEGAS #INISLP OMGSLP").values;
+          one.iteration.initial_slip = int(words.group("OMEGAH OMEGAS #INISLP OMGSLP").values[2]);
         else if (written.solver == 4)
-          one.iteration.relaxation = words.group("#INISLP OMGSLP").values;
+          one.iteration.initial_slip = int(words.group("#INISLP OMGSLP").values[0]);
         else if (written.solver == 5)
-          one.iteration.relaxation = words.group("FDECAY BETATH KDOWFB D_IFC D_LIN D_CNS D_SLP POW_S").values;
+          words.group("FDECAY BETATH KDOWFB D_IFC D_LIN D_CNS D_SLP POW_S");
       }
     if (one.module == 3)
       read_kinematics(words, one);

@@ -109,7 +109,8 @@ namespace wheelrail
       TangentialState         tangential_;
       std::vector<double>     mu_;
       SlipKernels             displacement_; ///< of steps of several elements in steady rolling: A / step
-      double                  weight_ = 0.5, last_change_ = 0; ///< of the steps of the coefficients
+      double                  weight_ = 1;   ///< of the steps of the coefficients
+      std::vector<double>     last_steps_;   ///< of the coefficients
       HalfspaceSolution       solution_;
     };
 
@@ -233,8 +234,6 @@ namespace wheelrail
       double change = 0;
       if (!friction_varies_ || tangential_.slip[0].empty())
         return change;
-      // Half a step from the fourth round on: falling friction makes whole steps swing.
-      const double              weight = solution_.coupling_rounds < 4 ? 1 : weight_;
       const std::vector<double> wanted = friction_field(
         problem_,
         solution_.step,
@@ -242,17 +241,20 @@ namespace wheelrail
         normal_.pressure,
         problem_.hot_friction.empty() ? std::vector<double>()
                                       : temperatures_in_rolling(problem_, normal_.pressure, tangential_)[0]);
+      std::vector<double> steps(mu_.size(), 0.);
+      double              same = 0; // direction as in the round before
       for (std::size_t e = 0; e < mu_.size(); ++e)
-        {
-          const double step = wanted[e] - mu_[e];
-          mu_[e] += weight * step;
-          if (normal_.pressure[e] > 0)
-            change = std::max(change, std::abs(step) / largest_friction_);
-        }
-      // smaller steps where half ones keep swinging
-      if (solution_.coupling_rounds > 12 && change > 0.8 * last_change_)
-        weight_ = std::max(0.02, 0.8 * weight_);
-      last_change_ = change;
+        if (normal_.pressure[e] > 0)
+          {
+            steps[e] = wanted[e] - mu_[e];
+            change   = std::max(change, std::abs(steps[e]) / largest_friction_);
+            same += last_steps_.empty() ? 0 : steps[e] * last_steps_[e];
+          }
+      // in steady rolling whole steps may swing; slow ones of one direction go on towards the first solution
+      weight_ = same < 0 ? std::max(0.02, 0.6 * weight_) : std::min(1., 1.2 * weight_);
+      for (std::size_t e = 0; e < mu_.size(); ++e)
+        mu_[e] += weight_ * (normal_.pressure[e] > 0 ? steps[e] : wanted[e] - mu_[e]);
+      last_steps_ = std::move(steps);
       return change;
     }
 
@@ -262,7 +264,8 @@ namespace wheelrail
       tangential_.creepage = {{problem_.xi, problem_.eta}};
       mu_.resize(std::size_t(grid_.size()));
       for (int e = 0; e < grid_.size(); ++e)
-        mu_[std::size_t(e)] = problem_.friction_of_row(e / grid_.mx).at(0);
+        mu_[std::size_t(e)] =
+          problem_.friction_of_row(e / grid_.mx).at(problem_.from_sliding ? problem_.velocity : 0);
       for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
         {
           const std::vector<double> old = normal_.pressure;

@@ -19,11 +19,11 @@ namespace wheelrail
   /// Numbers of the solvers: outer and inner loops, relative tolerance.
   struct ContactIteration
   {
-    int                 maxgs = 999, maxin = 20, maxnr = 25, maxout = 1;
-    double              eps     = 1e-5;
-    double              largest = 20000; ///< NPOT_MAX, elements
-    std::vector<double> relaxation;      ///< the second line of solvers 2 to 5
-    unsigned int        line = 0;
+    int          maxgs = 999, maxin = 20, maxnr = 25, maxout = 1;
+    double       eps          = 1e-5;
+    double       largest      = 20000; ///< NPOT_MAX, elements
+    int          initial_slip = 0;     ///< INISLP: below 0 falling friction is solved from sliding on
+    unsigned int line         = 0;
   };
 
   /// What presses and moves the bodies of module 3.

@@ -118,6 +118,9 @@ namespace wheelrail
     /// has the coefficient at rest (Vollebregt and Schuttelaars 2012). 0: at once.
     double memory_length      = 0;
     double memory_least_speed = 1e-3; ///< v_0 [m/s]
+    /// Falling friction may have several solutions: that found from sliding with the rolling velocity on,
+    /// with the most slip, in place of that from rest on, with the least.
+    bool from_sliding = false;
     /// Heat of friction in steady rolling: the temperatures of the surfaces are found. `hot_friction`, of
     /// each row of the grid or one for all: what it adds to the coefficients of the laws; empty: nothing.
     std::optional<HeatConduction>      heat;
