@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/start_bodies.h>
 #include <wheelrail/dynamics/rolling_velocities.h>
@@ -110,8 +112,9 @@ namespace wheelrail
                      MPI_Comm             communicator)
   {
     constexpr double       widest = 24e-3;
-    const BeyondHalfspaces beyond =
-      scene.friction.at(0) > 0 ? bodies_of_start(scene, geometry) : BeyondHalfspaces();
+    const bool             first  = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    const BeyondHalfspaces beyond = // the first rank finds the tractions
+      first && scene.friction.at(0) > 0 ? bodies_of_start(scene, geometry) : BeyondHalfspaces();
     if (rail != nullptr)
       {
         lay_rail(scene, *rail, model, communicator);

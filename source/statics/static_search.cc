@@ -1,4 +1,5 @@
 #include <wheelrail/mesh/discretization.h>
+#include <wheelrail/output/root.h>
 #include <wheelrail/statics/facing_surfaces.h>
 #include <wheelrail/statics/static_search.h>
 
@@ -70,6 +71,7 @@ namespace wheelrail
     : solid_(solid)
     , contact_(contact)
     , loads_(loads)
+    , communicator_(discretization.communicator())
     , system_(discretization, solid, parts)
     , flow_(solid.blocks)
   {
@@ -259,13 +261,33 @@ namespace wheelrail
   }
 
 
+  /// Half-spaces and true bodies are held by one rank alone; all get the same bits.
+  StartTractions
+  StaticSearch::shared_tractions() const
+  {
+    std::vector<double> numbers(4 + 3 * contact_.nodes().size());
+    on_root(communicator_, [&]() {
+      const StartTractions found =
+        wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_, stretch_);
+      numbers = {found.creepage, found.force, double(found.saturated), double(found.converged)};
+      for (const Vector3 &traction : found.traction)
+        numbers.insert(numbers.end(), traction.begin(), traction.end());
+    });
+    MPI_Bcast(numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, 0, communicator_);
+    StartTractions shared{numbers[0], numbers[1], numbers[2] > 0, numbers[3] > 0, {}};
+    for (std::size_t k = 4; k < numbers.size(); k += 3)
+      shared.traction.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+    return shared;
+  }
+
+
   double
   StaticSearch::renew_tractions()
   {
     if (tractions.traction.empty()) // so far pressure alone
       stretch_ = stretch_beyond_halfspaces();
     const StartTractions before = std::move(tractions);
-    tractions = wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_, stretch_);
+    tractions                   = shared_tractions();
     // omega = V/(r cos(yaw)) (1 + creepage)
     rate_ = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
     if (!loads_.tractions)

@@ -114,12 +114,15 @@ namespace wheelrail
     lower_wheel(double by);
     double
     stretch_beyond_halfspaces() const;
+    StartTractions
+    shared_tractions() const;
     ContactSums
     contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force);
 
     Solid                  &solid_;
     Contact                &contact_;
     const StaticLoads      &loads_;
+    MPI_Comm                communicator_;
     StaticSystem            system_;
     const SavedPlasticState flow_; ///< that the bodies begin with
     double                  wheel_mass_ = 0, rate_ = 0;

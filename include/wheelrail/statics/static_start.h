@@ -23,7 +23,7 @@ namespace wheelrail
     double creepage             = 0;    ///< when the rate is held
     bool   tractions            = true; ///< false: without shear, the creepage is still predicted
     double first_approach       = 1e-4; ///< lowering of the wheel that the search starts from [m]
-    BeyondHalfspaces beyond;            ///< what the bodies give way under tractions
+    BeyondHalfspaces beyond;            ///< what the bodies give way under tractions; of the first rank alone
   };
 
   struct StaticResult
