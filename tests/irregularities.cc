@@ -68,7 +68,7 @@ namespace
               deepest                 = std::max(deepest, -h.height);
               steepest                = std::max({steepest, std::abs(h.along), std::abs(h.across)});
               bool kink               = false;
-              for (const double at : shape.kinks)
+              for (const auto &[at, unused] : shape.kinks)
                 kink = kink || std::abs(u - at) < 2 * d;
               if (kink)
                 continue;
@@ -76,7 +76,7 @@ namespace
                            across = (shape.at(x + d, u).height - shape.at(x - d, u).height) / (2 * d);
               slope_error = std::max({slope_error, std::abs(h.along - along), std::abs(h.across - across)});
             }
-        for (const double at : shape.kinks) // which samples may miss
+        for (const auto &[at, unused] : shape.kinks) // which samples may miss
           deepest = std::max(deepest, -shape.at(2e-3, at).height);
         check_near(deepest, one.deepest, 2e-3 * one.deepest, one.name + ": depth [m]");
         check_near(slope_error, 0, 1e-5 * steepest + 1e-9, one.name + ": slopes are those of the heights");

@@ -94,7 +94,7 @@ namespace wheelrail
         return Lobe{rest * rest, std::copysign(4 * rest / length, -u)};
       },
       across_plateau(size));
-    joint.kinks = {size.place};
+    joint.kinks = {{size.place}};
     return joint;
   }
 
@@ -117,7 +117,7 @@ namespace wheelrail
         return Lobe{radius * (1 - inner / c), -inner * s / (c * c)};
       },
       across_plateau(size));
-    flat.kinks    = {size.place - half, size.place + half};
+    flat.kinks    = {{size.place - half}, {size.place + half}};
     flat.shortest = size.length;
     return flat;
   }

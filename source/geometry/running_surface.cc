@@ -126,15 +126,15 @@ namespace wheelrail
   }
 
 
-  std::vector<double>
+  std::vector<Kink>
   RunningSurface::kinks() const
   {
-    std::vector<double> places;
+    std::vector<Kink> kinks;
     for (const Irregularity &one : irregularities())
-      for (const double kink : one.kinks)
-        places.push_back(kink - origin_);
-    std::sort(places.begin(), places.end());
-    return places;
+      for (const Kink &kink : one.kinks)
+        kinks.push_back({kink.along - origin_, kink.aside});
+    std::sort(kinks.begin(), kinks.end(), [](const Kink &a, const Kink &b) { return a.along < b.along; });
+    return kinks;
   }
 
 

@@ -10,9 +10,9 @@ namespace wheelrail
     /// How much more the slope of the distance over z changes across a place than beside it: a jump of it,
     /// and nothing of what is round.
     double
-    jump_along(const RunningSurfaces &surfaces, const double s, const double z)
+    jump_along(const RunningSurfaces &surfaces, const double s, const double z, const double aside)
     {
-      constexpr double aside = 0.3e-3, step = 0.02e-3; // [m]
+      constexpr double step  = 0.02e-3; // [m]
       const auto       slope = [&](const double from) {
         return (surfaces.distance(s, z + from + step) - surfaces.distance(s, z + from - step)) / (2 * step);
       };
@@ -57,17 +57,17 @@ namespace wheelrail
     const double circumference = 2 * M_PI * surfaces.rolling_radius;
     const Range  gap           = surfaces.rail.gap(); // whose ends are square
     for (const Body body : both_bodies)
-      for (const double kink : surfaces[body].kinks())
+      for (const auto &[along, aside] : surfaces[body].kinks())
         {
           // an arc of the wheel, which is closed
           const double z = body == Body::rail
-                             ? kink
+                             ? along
                              : surfaces.rolling_radius *
-                                 std::sin(std::remainder(kink, circumference) / surfaces.rolling_radius);
+                                 std::sin(std::remainder(along, circumference) / surfaces.rolling_radius);
           for (const PatchRow &row : rows)
             if (z >= row.z0 - spacing && z <= row.z1 + spacing &&
-                (body == Body::rail || std::abs(std::remainder(kink, circumference)) < 0.25 * circumference))
-              kinks.add(z == gap.s0 || z == gap.s1 ? M_PI / 2 : jump_along(surfaces, row.s, z));
+                (body == Body::rail || std::abs(std::remainder(along, circumference)) < 0.25 * circumference))
+              kinks.add(z == gap.s0 || z == gap.s1 ? M_PI / 2 : jump_along(surfaces, row.s, z, aside));
         }
     return kinks;
   }

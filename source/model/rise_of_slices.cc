@@ -227,7 +227,7 @@ namespace wheelrail
       shape.begin  = gap.s0;
       shape.end    = gap.s1;
       shape.gap    = true;
-      shape.kinks  = {gap.s0, gap.s1};
+      shape.kinks  = {{gap.s0}, {gap.s1}};
       shape.second = [middle = 0.5 * (gap.s0 + gap.s1)](double, const double along) {
         return along > middle;
       };

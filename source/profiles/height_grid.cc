@@ -3,6 +3,7 @@
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/profiles/height_kinks.h>
 #include <wheelrail/profiles/height_noise.h>
 #include <wheelrail/profiles/profile_text.h>
 #include <wheelrail/tables/table.h>
@@ -140,9 +141,10 @@ namespace wheelrail
         throw InputError(path + ": the places along or across do not ascend");
     }
 
-    /// Throws InputError where heights in rows are not those of the places across.
+    /// Throws InputError where heights in rows are not those of the places across, and notes where their
+    /// number does not tell.
     void
-    check_rows(const hid_t file, const HeightGrid &grid, const std::string &path)
+    check_rows(const hid_t file, HeightGrid &grid, const std::string &path)
     {
       const std::size_t n = grid.along.size(), m = grid.across.size();
       if (grid.height.size() != n * m)
@@ -161,6 +163,9 @@ namespace wheelrail
                                std::to_string(shape[1]) + " heights for " + std::to_string(m) +
                                " places across and " + std::to_string(n) +
                                " along; a row for each place across is needed: exchange rows and columns");
+            if (shape.size() != 2 || n == m)
+              grid.notes.push_back(path + ": each " + std::to_string(n) + " heights of " + name +
+                                   " are taken as those along at one place across");
             return;
           }
     }
@@ -258,7 +263,10 @@ namespace wheelrail
     shape.end   = place + grid.along.back();
     // a wheel measured all around: the gap between last and first point is closed by the ends
     shape.endless = circumference > 0 && shape.end - shape.begin > 0.99 * circumference;
-    shape.at      = [heights, place, lateral](const double across, const double along) {
+    shape.kinks   = kinks_of(grid, shape.endless ? circumference : 0);
+    for (Kink &kink : shape.kinks)
+      kink.along += place;
+    shape.at = [heights, place, lateral](const double across, const double along) {
       return heights(across - lateral, along - place);
     };
     double widest = 0;

@@ -29,6 +29,13 @@ namespace wheelrail
     mesh    ///< the nodes of the mesh, which are moved
   };
 
+  /// A place along where the slope jumps [m].
+  struct Kink
+  {
+    double along = 0;
+    double aside = 0.3e-3; ///< from where on before and behind it the surface is known
+  };
+
   /// A shape above a running surface or missing from it.
   ///
   /// Places: `across` is x in the section of the body at the smooth surface, positive to the field side [m];
@@ -41,9 +48,9 @@ namespace wheelrail
     std::function<IrregularHeight(double, double)> at;                 ///< of places across and along within
     /// Another one that noise in measured heights leaves possible, by its number; none where they are exact.
     std::function<std::function<IrregularHeight(double, double)>(unsigned int)> drawn;
-    std::vector<double> kinks; ///< places along where the slope jumps [m]
-    bool endless = false;      ///< before and behind the heights of its ends hold, else there is none
-    bool gap     = false;      ///< between two rails one behind the other, too deep to carry
+    std::vector<Kink> kinks;
+    bool endless = false; ///< before and behind the heights of its ends hold, else there is none
+    bool gap     = false; ///< between two rails one behind the other, too deep to carry
     std::function<bool(double, double)>
                       second; ///< whether a place across and along is on the second of two rails
     CarriedBy         carried = CarriedBy::offset;

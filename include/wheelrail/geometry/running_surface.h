@@ -95,7 +95,7 @@ namespace wheelrail
     curvature(double s, double along, double span) const;
 
     /// Places along where the slope jumps [m], ascending. Those across are the joints of profile().
-    std::vector<double>
+    std::vector<Kink>
     kinks() const;
 
     /// The gap between two rails, along [m]; infinitely far where there is one rail.
