@@ -153,6 +153,12 @@ def together():
     """Two studies in one folder: the second is refused. A run's folder is none of a study."""
     fresh("together", "run")
     write_study(FRICTION + "0.3, 0.4", distance="20 mm")
+    for number in (signal.SIGINT, signal.SIGTERM):
+        process = start("together")
+        while process.poll() is None and "study.py" not in text_of(f"/proc/{process.pid}/cmdline"):
+            time.sleep(0.001)
+        process.send_signal(number)
+        check(process.wait() == 3, f"signal {number} while the script begins ends it with exit code 3")
     process = start("together")
     end = time.time() + 60
     while not os.path.exists("together/workflow/plan.json") and time.time() < end:

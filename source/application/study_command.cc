@@ -1,5 +1,6 @@
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/shared_files.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/entries.h>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
@@ -94,7 +96,13 @@ namespace wheelrail
     for (std::string &word : words)
       pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    // in place of this process, so that a signal reaches the script
+    // in place of this process, so that a signal reaches the script, which lets those through that come now
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM})
+      sigaddset(&signals, signal);
+    sigprocmask(SIG_BLOCK, &signals, nullptr);
+    leave_if_interrupted();
     ::execv(debian_python, pointers.data());
     throw RunError(
       "/usr/bin/python3 cannot be started; install the Debian packages python3, python3-h5py and "

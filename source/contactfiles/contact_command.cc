@@ -326,7 +326,15 @@ namespace wheelrail
       replace_file((held.path() / (stem + ".out")).string(), printed_blocks(cases, results));
     std::vector<std::string> without;
     if (task.bodies)
-      write_table(answer_of_bodies(cases, results, without, out), held.path(), "bodies");
+      try
+        {
+          write_table(answer_of_bodies(cases, results, without, out), held.path(), "bodies");
+        }
+      catch (const Interrupted &)
+        {
+          throw Interrupted("the cases are kept in " + held.path().string() +
+                            ", but not their true bodies; the same command solves all, --case K one");
+        }
     out << "Tables in " << held.path().string() << std::endl;
     if (left)
       throw Interrupted("the cases before case " + std::to_string(results.size() + 1) + " are kept in " +

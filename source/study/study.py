@@ -7,10 +7,22 @@ The program starts this script (command `study`); PLAN.json is what `wheelrail s
 Exit codes: 0 all cases are computed, 1 bad input, 2 some failed or stopped, 3 interrupted.
 """
 
-import argparse
 import os
 import signal
 import sys
+
+
+def leave(*_):
+    print("interrupted: what was computed is kept; the same command goes on", file=sys.stderr)
+    raise SystemExit(3)
+
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+for number in SIGNALS:
+    signal.signal(number, leave)
+signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)  # which the program has blocked for its end
+
+import argparse
 import threading
 
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
@@ -71,7 +83,7 @@ def dry_run(study, options):
 def compute(study, options):
     """Computes what is open; gives whether it was interrupted."""
     stop = threading.Event()
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+    for number in SIGNALS:
         signal.signal(number, lambda *_: stop.set())
     line = progress.Progress(study, options.jobs)
     with engine.Engine(study, options) as running:
@@ -82,6 +94,9 @@ def compute(study, options):
     if stop.is_set():
         study.wait_for_cases(60)
         print("interrupted: the cases at work were saved; the same command resumes", file=sys.stderr)
+    else:
+        for number in SIGNALS:  # tables and page can be left
+            signal.signal(number, leave)
     return stop.is_set(), running
 
 
