@@ -57,7 +57,13 @@ namespace wheelrail
 
     /// Half-spaces of the smooth contact beside the true bodies, which know no irregular surfaces: places are
     /// trusted no more.
-    Verdict
+    struct SmoothContact
+    {
+      Verdict verdict;
+      double  bodies_effect; ///< peak pressure over that of the true bodies, less 1; NaN: unknown
+    };
+
+    SmoothContact
     judge_smooth_contact(const Scene &scene, SceneGeometry smooth, const double force)
     {
       smooth.surfaces.rail.set_irregularities(nullptr);
@@ -73,20 +79,21 @@ namespace wheelrail
       measures.unheld        = result.unheld;
       Verdict verdict;
       judge_held(measures, verdict, false);
-      return verdict;
+      return {verdict, result.bodies_effect};
     }
 
     Grade
-    grade_of_place(const PlaceContact &contact, const Verdict &smooth)
+    grade_of_place(const PlaceContact &contact, const SmoothContact &smooth)
     {
-      return contact.fault.empty() ? std::min(contact.verdict.grade(), smooth.grade()) : Grade::not_trusted;
+      return contact.fault.empty() ? std::min(contact.verdict.grade(), smooth.verdict.grade())
+                                   : Grade::not_trusted;
     }
 
     /// Returns the number of places that could not be solved.
     std::size_t
     print_verdicts(const IrregularPlaces           &places,
                    const std::vector<PlaceContact> &contacts,
-                   const Verdict                   &smooth,
+                   const SmoothContact             &smooth,
                    std::ostream                    &out)
     {
       std::size_t             faults = 0;
@@ -100,13 +107,17 @@ namespace wheelrail
              c.fault.empty() ? c.verdict.doubts() : c.fault});
         }
       print_row_verdicts(verdicts, places.pitch ? "pitch angles" : "places", "verdict of places.csv", out);
-      if (!smooth.findings.empty())
-        out << "on the smooth rail: " << smooth.doubts() << '\n';
+      if (std::isfinite(smooth.bodies_effect))
+        out << text(
+          "on the smooth rail the peak pressure of half-spaces is %+.1f %% beside that of the true bodies\n",
+          100 * smooth.bodies_effect);
+      if (!smooth.verdict.findings.empty())
+        out << "on the smooth rail: " << smooth.verdict.doubts() << '\n';
       return faults;
     }
 
     FigureTable
-    table_of(const std::vector<PlaceContact> &contacts, const Verdict &smooth)
+    table_of(const std::vector<PlaceContact> &contacts, const SmoothContact &smooth)
     {
       FigureTable table;
       const auto  column = [&](const char *key, const char *unit, const auto &value) {
@@ -156,7 +167,7 @@ namespace wheelrail
     print_head(scene, load, out);
     TaskCount                       count("places", places.values.size(), 0, out);
     const std::vector<PlaceContact> contacts = solve_places(scene, geometry, load, places, &count);
-    const Verdict                   smooth   = judge_smooth_contact(scene, geometry, load);
+    const SmoothContact             smooth   = judge_smooth_contact(scene, geometry, load);
     print_table(places, contacts, out);
     const std::size_t failed = print_verdicts(places, contacts, smooth, out);
 
