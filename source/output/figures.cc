@@ -105,7 +105,7 @@ namespace wheelrail
       {"plastic_work_rail", "J", "plastic work in the rail", "", "J", 1, 3, false, nullptr},
       {"plastic_work_wheel", "J", "plastic work in the wheel", "", "J", 1, 3, false, nullptr},
       {"wheel_load", "N", "wheel load", "", "kN", 1e-3, 2, false, nullptr},
-      {"rolling_radius", "m", "rolling radius", "", "mm", 1e3, 2, false, nullptr},
+      {"rolling_radius", "m", "rolling radius", "of the rigid contact", "mm", 1e3, 2, false, nullptr},
       {"contact_angle", "rad", "contact angle", "positive when the tangent falls to the gauge side", "mrad", 1e3, 2, false, nullptr},
       {"rail_head_lateral", "m", "rail head moved", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
       {"rail_head_roll", "rad", "rail head turned", "positive from X to Y", "mrad", 1e3, 3, false, nullptr},

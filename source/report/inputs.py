@@ -2,6 +2,7 @@
 
 import html
 import os
+import re
 
 FINITE, HALF = "run", "half-spaces"
 
@@ -112,7 +113,8 @@ def rows(entries, summary=None, of=FINITE):
         return []
 
     def entry(name):
-        return entries.get(name, "")
+        """As it was given; of computed numbers, as those of a wheelset, four digits."""
+        return re.sub(r"-?\d+\.\d{7,}", lambda found: f"{float(found[0]):.4g}", entries.get(name, ""))
 
     load = (summary or {}).get("wheel_load_N") or (summary or {}).get("vertical_force_N")
     given = entry("Half-space/Undeformed distance") not in ("profiles", "") and of == HALF

@@ -97,12 +97,13 @@ def figure_rows(summary, figures):
         value, deviation = summary.get(figure["key"]), summary.get(figure["std_key"])
         if not is_number(value):
             continue
-        spread = ""
+        spread = []
         if is_number(deviation):
-            spread = "\u00b1 " + number(deviation, figure["factor"], figure["decimals"])
+            spread.append("\u00b1 " + number(deviation, figure["factor"], figure["decimals"]))
         error = summary.get(figure.get("error_key"))
         if is_number(error):
-            spread += ", mean \u00b1 " + number(error, figure["factor"], figure["decimals"] + 1)
+            spread.append("mean \u00b1 " + number(error, figure["factor"], figure["decimals"] + 1))
+        spread = ", ".join(spread)
         ends = [summary.get(figure.get(key)) for key in ("low_key", "high_key")]
         if all(map(is_number, ends)):
             spread += " (" + " to ".join(number(end, figure["factor"], figure["decimals"]) for end in ends) + ")"
