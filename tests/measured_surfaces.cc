@@ -211,6 +211,8 @@ namespace
           check(kinks.size() >= 2, at + "both edges are found");
           for (const Kink &kink : kinks)
             check_near(std::abs(kink.along), 15e-3, 1.5 * step, at + "an edge is where it is [m]");
+          if (off > 0)
+            continue;
           Scene scene;
           scene.halfspace_element_size = 0.8e-3;
           scene.wheel_load             = 45e3;
@@ -219,7 +221,7 @@ namespace
           scene.irregularities[0].file = "edges.csv";
           write_heights(line, "edges.csv");
           for (const PlaceContact &one :
-               solve_places(scene, make_geometry(scene), 45e3, parse_irregular_places("0,13 mm", false)))
+               solve_places(scene, make_geometry(scene), 45e3, parse_irregular_places("13 mm", false)))
             check(one.verdict.doubts().find(" an edge of 3") != std::string::npos, at + "the edge is told");
         }
     for (const double step : {2e-3, 0.5e-3})

@@ -82,6 +82,7 @@ namespace wheelrail
     Irregularity shape = grid_irregularity(grid, -begin - start, 0, 0);
     shape.name         = "Profiles";
     shape.endless      = true;
+    shape.kinks.clear(); // between slices the sections are interpolated
     lead_into(shape, grid, -start, rail, notes);
     return shape;
   }
