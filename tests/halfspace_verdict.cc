@@ -119,6 +119,14 @@ namespace
                "half-spaces that nothing confirms");
     m.unheld.clear();
     check(judge_halfspaces(m).grade() == Grade::trusted, "half-spaces within 5 % of the true bodies");
+    const Known known = m.peak;
+    m.peak            = {0.02, "measured input"};
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "The peak pressure is 5 % below that of the true bodies, and noise in measured points leaves 2 % "
+      "of it open; take Half-space/Bodies = real.",
+      "half-spaces that are trusted for neither cause alone");
+    m.peak         = known;
     m.shift_effect = 0.68;
     check_text(judge_halfspaces(m).doubts(),
                "The peak pressure changes by 68 % within the lateral shift by which wheel and rail give way "
