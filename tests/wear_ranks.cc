@@ -1,4 +1,5 @@
 // ranks: 1 2
+// needs: wear
 
 // Processes share the rows of a mix: the same bits as one alone, and one sentence from all where a row fails.
 
