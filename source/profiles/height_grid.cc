@@ -141,8 +141,27 @@ namespace wheelrail
         throw InputError(path + ": the places along or across do not ascend");
     }
 
-    /// Throws InputError where heights in rows are not those of the places across, and notes where their
-    /// number does not tell.
+    /// Throws InputError where the rows of a dataset are not those of the places across, and notes where
+    /// their number does not tell.
+    void
+    check_shape(const hid_t file, const std::string &name, HeightGrid &grid, const std::string &path)
+    {
+      const std::size_t    n = grid.along.size(), m = grid.across.size();
+      const hdf5::Handle   set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "read " + name);
+      const hdf5::Handle   space(H5Dget_space(set), H5Sclose, "read " + name);
+      std::vector<hsize_t> shape(std::max(0, H5Sget_simple_extent_ndims(space)));
+      H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+      if (shape.size() == 2 && shape[0] != m)
+        throw InputError(path + ": " + name + " has " + std::to_string(shape[0]) + " rows of " +
+                         std::to_string(shape[1]) + " heights for " + std::to_string(m) +
+                         " places across and " + std::to_string(n) +
+                         " along; a row for each place across is needed: exchange rows and columns");
+      if (shape.size() != 2 || n == m)
+        grid.notes.push_back(path + ": each " + std::to_string(n) + " heights of " + name +
+                             " are taken as those along at one place across");
+    }
+
+    /// The same of all heights.
     void
     check_rows(const hid_t file, HeightGrid &grid, const std::string &path)
     {
@@ -151,23 +170,9 @@ namespace wheelrail
         throw InputError(path + ": " + std::to_string(grid.height.size()) + " heights for " +
                          std::to_string(m) + " x " + std::to_string(n) +
                          " places; a row for each place across is needed");
-      for (const std::string name : {"height_mm", "height_m", "height_um"})
-        if (H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0)
-          {
-            const hdf5::Handle   set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "read " + name);
-            const hdf5::Handle   space(H5Dget_space(set), H5Sclose, "read " + name);
-            std::vector<hsize_t> shape(std::max(0, H5Sget_simple_extent_ndims(space)));
-            H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-            if (shape.size() == 2 && shape[0] != m)
-              throw InputError(path + ": " + name + " has " + std::to_string(shape[0]) + " rows of " +
-                               std::to_string(shape[1]) + " heights for " + std::to_string(m) +
-                               " places across and " + std::to_string(n) +
-                               " along; a row for each place across is needed: exchange rows and columns");
-            if (shape.size() != 2 || n == m)
-              grid.notes.push_back(path + ": each " + std::to_string(n) + " heights of " + name +
-                                   " are taken as those along at one place across");
-            return;
-          }
+      for (const char *name : {"height_mm", "height_m", "height_um"})
+        if (H5Lexists(file, name, H5P_DEFAULT) > 0)
+          return check_shape(file, name, grid, path);
     }
 
     HeightGrid

@@ -75,6 +75,8 @@ namespace wheelrail
     const double                   noise = 48 * std::max(grid.noise, 2e-8);
     const auto                     n     = static_cast<std::ptrdiff_t>(grid.along.size());
     std::map<std::ptrdiff_t, Kink> found;
+    if (n < 8) // too few to tell a kink from a round shape
+      return {};
     for (const double *row = grid.height.data(); row != grid.height.data() + grid.height.size(); row += n)
       {
         const EndlessLine line{grid.along, row, circumference};

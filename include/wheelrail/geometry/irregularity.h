@@ -48,9 +48,10 @@ namespace wheelrail
     std::function<IrregularHeight(double, double)> at;                 ///< of places across and along within
     /// Another one that noise in measured heights leaves possible, by its number; none where they are exact.
     std::function<std::function<IrregularHeight(double, double)>(unsigned int)> drawn;
+    /// Where its slope jumps along.
     std::vector<Kink> kinks;
-    bool endless = false; ///< before and behind the heights of its ends hold, else there is none
-    bool gap     = false; ///< between two rails one behind the other, too deep to carry
+    bool              endless = false; ///< before and behind the heights of its ends hold, else there is none
+    bool              gap     = false; ///< between two rails one behind the other, too deep to carry
     std::function<bool(double, double)>
                       second; ///< whether a place across and along is on the second of two rails
     CarriedBy         carried = CarriedBy::offset;
