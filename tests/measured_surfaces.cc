@@ -36,7 +36,7 @@ namespace
                       const bool                 as_a_whole = false)
   {
     std::mt19937_64                  random(7);
-    std::normal_distribution<double> normal(0, noise);
+    std::normal_distribution<double> normal;
     std::ofstream                    slices(name + ".slcw");
     slices << "0 1 offset, scale\n" << places.size() << " NSLC\n0 0 0\n" << kind << "\n";
     const double radius = 0.46, length = 60e-3;
@@ -50,11 +50,11 @@ namespace
         std::snprintf(line, sizeof line, "%.9f '%s'\n", u / radius, file.c_str());
         slices << line;
         std::ofstream out(file);
-        double        t = tread.advance(0, 8e-3), off = normal(random);
+        double        t = tread.advance(0, 8e-3), off = noise * normal(random);
         for (double s = 8e-3; s < whole - 40e-3; s += 0.5e-3, t = tread.advance(t, 0.5e-3))
           {
             const CurvePoint p  = tread.at(t);
-            const double     up = depth + (off = as_a_whole ? off : normal(random));
+            const double     up = depth + (off = as_a_whole ? off : noise * normal(random));
             std::snprintf(line,
                           sizeof line,
                           "%.7f %.7f\n",
@@ -131,7 +131,7 @@ namespace
   write_measured_hollow(const std::string &name, const bool grid, const double noise)
   {
     std::mt19937_64                  random(3);
-    std::normal_distribution<double> normal(0, noise);
+    std::normal_distribution<double> normal;
     std::ofstream                    out(name);
     out << (grid ? "along_mm,across_mm,height_um\n" : "along_mm,height_um\n");
     const double step = grid ? 2 : 0.5;
@@ -143,7 +143,7 @@ namespace
           out << u << ",";
           if (grid)
             out << v << ",";
-          out << height + (std::abs(u) < 35.9 ? 1e6 * normal(random) : 0) << "\n";
+          out << height + (std::abs(u) < 35.9 ? 1e6 * noise * normal(random) : 0) << "\n";
         }
   }
 
