@@ -98,7 +98,7 @@ namespace
     const auto         wear = [&](const std::string &load, const std::string &folder) {
       out.str("");
       return execute({"wear",
-                      WHEELRAIL_SOURCE_DIR "/prm/wear.prm",
+                      std::string(WHEELRAIL_SOURCE_DIR) + "/prm/wear.prm",
                       "--no-pictures",
                       "--set",
                       "Wear/Gross load = " + load,
