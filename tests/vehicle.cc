@@ -250,6 +250,7 @@ namespace
     std::ofstream("rows.kept", std::ios::app) << "\n{\"row\": 0, \"giv"; // torn
     VehicleRows kept("rows.kept", "a scene", motion);
     check(kept.count() >= 3, "three rows are kept, or one more that another thread had");
+    const std::size_t  first = kept.restored();
     std::size_t        again = 0;
     const VehicleWheel gone_on =
       solve_vehicle(scene, profiles, motion, &kept, [&]() { ++again; }).wheels.front();
@@ -261,6 +262,7 @@ namespace
         identical                       = identical && summary_as_text(one) == summary_as_text(other);
       }
     check(identical && again < 4, "gone on with " + std::to_string(again) + " rows to the same bits");
+    check(first + again == motion.rows(), "progress counts no row twice, though some are solved again");
     test::check_text(
       test::message_of([&]() { VehicleRows("rows.kept", "another", motion); }),
       "\"rows.kept\": rows of another scene, or of another version of the program, from a call that "

@@ -169,7 +169,7 @@ namespace wheelrail
       VehicleRows kept(rows_file(folder).string(), scene_digest(scene, WHEELRAIL_VERSION), motion);
       if (kept.count() > 0)
         out << "resuming after " << kept.count() << " of " << motion.rows() << " rows" << std::endl;
-      TaskCount count("rows", motion.rows(), kept.count(), out);
+      TaskCount count("rows", motion.rows(), kept.restored(), out);
       try
         {
           return solve_vehicle(scene, profiles, motion, &kept, [&]() { count.one_more(); });

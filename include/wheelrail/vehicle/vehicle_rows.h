@@ -27,6 +27,13 @@ namespace wheelrail
       return kept_.size();
     }
 
+    /// How many of them restore() does not solve again.
+    std::size_t
+    restored() const
+    {
+      return kept_.size() - solve_again_.size();
+    }
+
     /// Puts a row that is kept into `vehicle`; false where it is not, or has to be solved again: stresses are
     /// found for rows with the largest pressures (VehicleResult), whose solutions are not kept.
     bool
