@@ -8,6 +8,7 @@
 #include "reference_table.h"
 
 #include <wheelrail/contactfiles/case_checks.h>
+#include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/gap_search.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
@@ -329,6 +330,12 @@ main()
     if (!check(result.wheel_rail && result.wheel_rail->patches.size() == 1, "a case is solved"))
       return test::report();
   compare_printed(cases, results, "contact_wheel_rail.csv");
+  std::ostringstream out;
+  run_contact_command({"ball.inp", 1}, out);
+  check(
+    out.str().find("\nverdict: with care: Wheel and rail are half-spaces, as in CONTACT; true bodies differ "
+                   "(--bodies real).\n") != std::string::npos,
+    "half-spaces between wheel and rail are not trusted");
   const std::vector<ContactCase> rollers = read_inp_file("rollers.inp");
   compare_printed(rollers, solve_cases(rollers), "contact_rollers.csv");
   test_roller_locus(rollers[0]);

@@ -243,11 +243,12 @@ namespace wheelrail
       Summary summary;
       summary.title    = file;
       summary.finished = true;
-      double solved = 0, refused = 0, peak = 0;
+      double solved = 0, refused = 0, wheel_rail = 0, peak = 0;
       for (const CaseResult &result : results)
         {
           solved += result.solved || result.wheel_rail ? 1 : 0;
           refused += result.refused.empty() ? 0 : 1;
+          wheel_rail += result.wheel_rail ? 1 : 0;
           if (result.solved)
             peak = std::max(peak, result.solved->solution.peak_pressure);
           if (result.wheel_rail)
@@ -263,6 +264,12 @@ namespace wheelrail
         {
           summary.verdict = "not trusted";
           summary.doubts  = "Cases were not solved to their tolerance: see column converged of the tables.";
+        }
+      else if (wheel_rail > 0)
+        {
+          summary.verdict = "with care";
+          summary.doubts =
+            "Wheel and rail are half-spaces, as in CONTACT; true bodies differ (--bodies real).";
         }
       return summary;
     }
@@ -321,7 +328,8 @@ namespace wheelrail
     write_table(point_table(results), held.path(), "points");
     for (std::size_t k = 0; k < results.size(); ++k)
       write_fields(results[k], (held.path() / ("case_" + std::to_string(k + 1) + ".h5")).string());
-    write_summary(file_summary(task.file, results, poor), (held.path() / "summary.json").string());
+    const Summary summary = file_summary(task.file, results, poor);
+    write_summary(summary, (held.path() / "summary.json").string());
     if (task.printed)
       replace_file((held.path() / (stem + ".out")).string(), printed_blocks(cases, results));
     std::vector<std::string> without;
@@ -335,7 +343,7 @@ namespace wheelrail
           throw Interrupted("the cases are kept in " + held.path().string() +
                             ", but not their true bodies; the same command solves all, --case K one");
         }
-    out << "Tables in " << held.path().string() << std::endl;
+    out << verdict_line(summary) << "\nTables in " << held.path().string() << std::endl;
     if (left)
       throw Interrupted("the cases before case " + std::to_string(results.size() + 1) + " are kept in " +
                         held.path().string() + "; the same command solves all, --case K one");

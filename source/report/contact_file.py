@@ -41,13 +41,21 @@ def patch_tables(folder):
     for name, title in (("patches.csv", "Wheel and rail: patches"), ("cases.csv", "Basic contact: cases")):
         path = os.path.join(folder, name)
         if os.path.exists(path):
-            yield title, columns.read(path)
+            yield title, without_rounding(columns.read(path))
 
 
 def digits_of(values, digits):
     """As many that the largest value of a column has four, for units in a file may be others than of steel."""
     largest = np.nanmax(np.abs(values))
     return digits if digits == 0 or largest == 0 else max(digits, min(9, 3 - int(np.floor(np.log10(largest)))))
+
+
+def without_rounding(table):
+    """Tangential forces and creepages that are zero but for rounding, as zero."""
+    force = np.abs(table["normal_force_N"])
+    limits = {"longitudinal_force_N": 1e-7 * force, "tangential_lateral_force_N": 1e-7 * force,
+              "creepage": 1e-9, "lateral_creepage": 1e-9}
+    return {key: np.where(np.abs(values) < limits[key], 0, values) if key in limits else values for key, values in table.items()}
 
 
 def rows_of(table):
@@ -137,14 +145,14 @@ def make_page(folder):
     tables = list(patch_tables(folder))
     pictures_folder = os.path.join(folder, "pictures")
     os.makedirs(pictures_folder, exist_ok=True)
-    pictures = [draw_cases(tables, os.path.join(pictures_folder, "cases.png")),
-                draw_pressures(folder, tables, os.path.join(pictures_folder, "pressures.png"))]
+    pictures = [picture for picture in (draw_cases(tables, os.path.join(pictures_folder, "cases.png")),
+                                        draw_pressures(folder, tables, os.path.join(pictures_folder, "pressures.png"))) if picture]
     refused = int(summary["cases_refused"])
-    parts = [page.verdict_sentence(summary) if summary.get("verdict") else "",
+    parts = [page.verdict_sentence(summary),
              f"<p>{int(summary['cases_solved'])} of {int(summary['cases'])} cases are solved, as half-spaces"
              f"{f'; {refused} are not computed' if refused else ''}. Forces act on the rail, or on body 1; axes and signs are "
              "CONTACT's.</p>",
-             "<h2>Pictures</h2>", page.pictures_html([picture for picture in pictures if picture], broad=("pressures",))]
+             *(["<h2>Pictures</h2>", page.pictures_html(pictures, broad=("pressures",))] if pictures else [])]
     for title, table in tables:
         parts += [f"<h2>{html.escape(title)}</h2>", rows_of(table)]
     bodies = os.path.join(folder, "bodies.csv")

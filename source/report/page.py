@@ -61,7 +61,7 @@ async function unpack(id) {
 
 
 def number(value, factor, decimals):
-    return f"{factor * value:.{decimals}f}".replace("-", "\u2212")
+    return f"{factor * value:z.{decimals}f}".replace("-", "\u2212")
 
 
 def is_number(value):
