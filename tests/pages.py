@@ -43,6 +43,8 @@ def check_patch_view(page, run):
     set_control(page, "view-patch", "field", "state")
     check(plot(page, "view-patch", "plot.data[0].type === 'surface' && Math.max(...plot.data[0].surfacecolor.flat())") == 2,
           "stick and slip in three dimensions")
+    check(plot(page, "view-patch", "plot.data[0].surfacecolor.flat().every((v, k) => v || plot.data[0].z.flat()[k] === null)"),
+          "it ends at the patch: no colour of stick between slip and open nodes")
     set_control(page, "view-patch", "surface", False)
     set_control(page, "view-patch", "field", "pressure")
     check(abs(plot(page, "view-patch", "plot.data[0].zmax") - 1e-6 * run.summary["max_pressure_Pa"]) < 1, "colours end at the peak of the results")
@@ -75,6 +77,9 @@ def check_slice_view(page, tick):
     near = cut["depth"] <= 0.010001
     wanted = float(cut["von_mises_stress"].to("MPa")[:, near].max())
     check(close(shown, wanted), f"von Mises stress below the contact: {shown} MPa, in the file {wanted:.3f}")
+    largest = plot(page, "view-slices", "Math.max(...plot.data.flatMap(body => body.z.flat()).map(v => v ?? 0))")
+    ends = plot(page, "view-slices", "[plot.data[0].zmin, plot.data[0].zmax, plot.data[0].contours.coloring]")
+    check(ends[0] == 0 and abs(ends[1] / largest - 1) < 1e-3 and ends[2] == "heatmap", f"colours end at 0 and {largest} MPa: {ends}")
 
 
 if find_browser() is None:

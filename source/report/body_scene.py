@@ -108,6 +108,7 @@ def bar(table):
     actor = vtkScalarBarActor()
     actor.SetLookupTable(table)
     actor.SetTitle("von Mises [MPa]")
+    actor.SetVerticalTitleSeparation(12)
     actor.SetNumberOfLabels(5)
     actor.SetLabelFormat("%.0f")
     actor.UnconstrainedFontSizeOn()

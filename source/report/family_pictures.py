@@ -182,7 +182,7 @@ def draw_stresses(run, cases, plane, kind):
     shown = [cut for cut in below.values() if cut is not None]
     if not shown:
         return []
-    view, top = subsurface_pictures.view_of(shown), style.round_top(max(cut.largest(kind) for cut in shown))
+    view, top = subsurface_pictures.view_of(shown), max(cut.largest(kind) for cut in shown)
     kinds = kinds_of(cases, lambda case, who: below[case, who])
     rows = [(cases[k:k + COLUMNS], who) for k in range(0, len(cases), COLUMNS) for who in kinds]
     columns = min(COLUMNS, len(cases))
@@ -206,7 +206,7 @@ def draw_stresses(run, cases, plane, kind):
             place.set_axis_off()
         if last is not None:
             label = "von Mises stress [MPa]" if kind == "von Mises" else subsurface_pictures.SHEAR[plane][1]
-            style.color_bar(figure, *last, label)
+            style.level_bar(figure, *last, label)
     name = f"family_{'mises' if kind == 'von Mises' else 'shear_stress'}_{plane.lower()}"
     return [(f"{'Von Mises' if kind == 'von Mises' else 'Shear'} stress below the contact in {plane}, all cases",
              style.save(run, figure, name))]

@@ -82,16 +82,13 @@ def pressure(axes, fields, scale, title):
     peak = fields.peak_place()
     axes.plot(fields.lateral[peak], fields.along[peak], "+", color=style.RED, markersize=11, markeredgewidth=1.8)
     dress(axes, fields, scale, f"{title}, peak {scale.peaks.get('pressure', top):.0f} MPa (+)")
-    filled.labels = squares, [f"{level:.4g}" for level in levels]
+    filled.pressures = levels
     return filled
 
 
 def pressure_bar(figure, axes, filled):
     """The bar of pressure(): its levels are squares."""
-    ticks, labels = filled.labels
-    bar = style.color_bar(figure, axes, filled, "pressure [MPa]")
-    step = 1 if len(ticks) < 11 else 2
-    bar.set_ticks([*ticks[:-1:step], ticks[-1]], labels=[*labels[:-1:step], labels[-1]])
+    style.level_bar(figure, axes, filled, "pressure [MPa]", filled.pressures)
 
 
 def arrows(axes, fields, scale, most=18):
@@ -127,7 +124,7 @@ def shear(axes, fields, scale, title):
 
 
 def shear_bar(figure, axes, filled):
-    style.color_bar(figure, axes, filled, "shear traction on the rail [MPa]")
+    style.level_bar(figure, axes, filled, "shear traction on the rail [MPa]")
 
 
 def states(axes, fields, scale, title):

@@ -134,12 +134,14 @@ def draw_curves(family):
              style.save(family, figure, "passages"))]
 
 
-def map_panel(axes, fields, values, label, norm, colors):
+def map_panel(axes, fields, values, label, norm, colors, ticks=None):
     edges = np.append(fields["depth"] - 0.5 * (fields["depth"][1] - fields["depth"][0]),
                       fields["depth"][-1] + 0.5 * (fields["depth"][1] - fields["depth"][0]))
     along = np.append(fields["passages"] - 0.5, fields["passages"][-1] + 0.5)
     image = axes.pcolormesh(along, edges, values.T, norm=norm, cmap=colors)
-    style.color_bar(axes.figure, axes, image, label)
+    bar = style.color_bar(axes.figure, axes, image, label)
+    if ticks is not None:
+        bar.set_ticks(ticks)
     axes.set_ylim(DEPTH, 0)
     axes.set_ylabel("depth [mm]")
 
@@ -160,8 +162,9 @@ def draw_maps(family):
     if rows == 2:
         shear = fields["forward_shear_increment"]
         size = np.nanmax(np.abs(shear))
+        decades = 10.0 ** np.arange(np.floor(np.log10(size)), np.log10(1e-3 * size), -1)  # those that are not linear
         map_panel(all_axes[1, 0], fields, shear, "growth of forward shear",
-                  SymLogNorm(1e-3 * size, vmin=-size, vmax=size), "RdBu_r")
+                  SymLogNorm(1e-3 * size, vmin=-size, vmax=size), "RdBu_r", [*-decades, 0, *decades[::-1]])
     passage_axis(all_axes[-1, 0], fields["passages"])
     return [(f"What each passage adds over depth, below the lateral place {fields['lateral']:.1f} mm, which has "
              "flowed most", style.save(family, figure, "growth_depth"))]

@@ -12,6 +12,7 @@ except ImportError as error:
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
+import numpy as np  # noqa: E402
 from matplotlib.ticker import MaxNLocator  # noqa: E402
 
 BLUE, RED, GREEN, ORANGE, GREY = "#1f5fa8", "#c0392b", "#2e8b57", "#d98200", "#6b6b6b"
@@ -41,9 +42,10 @@ def round_levels(low, high, parts=14):
     return MaxNLocator(nbins=parts, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
 
 
-def levels_to(top):
+def levels_to(top, parts=14):
     """Round values at equal steps from 0, and the end itself: colours end at the value."""
-    levels = round_levels(0, top)
+    top = max(top, 1e-9)
+    levels = round_levels(0, top, parts)
     step = levels[1] - levels[0]
     return [*(level for level in levels if level < top - 0.4 * step), top]
 
@@ -87,6 +89,17 @@ def color_bar(figure, axes, mappable, label, width=0.04):
     """A bar beside the axes with its label."""
     bar = figure.colorbar(mappable, cax=axes.inset_axes([1.02 + 0.2 * width, 0, width, 1]))
     bar.set_label(label)
+    return bar
+
+
+def level_bar(figure, axes, filled, label, values=None):
+    """A bar of filled contours that names both ends and each level between them, or each second from 0 on; `values`:
+    what the levels stand for."""
+    bar, levels = color_bar(figure, axes, filled, label), np.asarray(filled.levels)
+    last, zero = len(levels) - 1, int(np.argmin(np.abs(levels)))
+    step = 1 if last < 10 else 2
+    named = [0, *(k for k in range(step, last - step + 1) if (k - zero) % step == 0), last]
+    bar.set_ticks(levels[named], labels=[f"{(levels if values is None else values)[k]:.4g}" for k in named])
     return bar
 
 

@@ -44,7 +44,9 @@ class Cut:
 
 def panel(axes, cut, kind, top, title, view):
     """One map; `top` ends its scale, which is symmetric for shear."""
-    levels = style.round_levels(0 if kind == "von Mises" else -top, top, 16)
+    levels = style.levels_to(top, 14 if kind == "von Mises" else 8)
+    if kind == "shear":
+        levels = [*(-level for level in levels[:0:-1]), *levels]
     colors = style.HIGH if kind == "von Mises" else "RdBu_r"
     for body, position, depth, values in cut.bodies:
         image = axes.contourf(position, depth, values[kind].T, levels=levels, cmap=colors, extend="neither")
@@ -87,12 +89,13 @@ def draw_plane(run, ticks, plane, name):
     if rows == 1:
         axes = axes.T
     for row, kind, label in zip(axes, ("von Mises", "shear"), ("von Mises stress [MPa]", SHEAR[plane[:2]][1])):
-        top = style.round_top(max(cut.largest(kind) for cut in cuts.values()))
+        top = max(cut.largest(kind) for cut in cuts.values())
         for place, (who, cut) in zip(row, cuts.items()):
             title = f"up to {cut.largest(kind):.0f} MPa, {cut.largest(kind, 1.0):.0f} MPa from 1 mm depth on"
             image = panel(place, cut, kind, top, f"{who}: {title}" if who else title, view)
-        bar = style.color_bar(figure, row[-1], image, label)
-        bar.ax.set_ylim(image.levels[0], image.levels[-1])
+            if kind == "shear" and rows == 1:  # the bar of the other map stands there
+                place.set_ylabel("")
+        style.level_bar(figure, row[-1], image, label)
     first = next(iter(cuts.values()))
     where = (f"s = {first.offset + 0.0:.2f} mm" if plane[0] == "A" else
              f"{first.offset + 0.0:.2f} mm ahead of the contact point")

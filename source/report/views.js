@@ -171,9 +171,10 @@ function patchSurfaces(view, field, number) {
   view.sources.forEach((source, k) => {
     const tick = tickOf(source, number), id = k ? String(k + 1) : "", scale = scaleOf(field), range = limits([tick]);
     const height = field.kind === "states" ? view.fields.find(f => f.key === "pressure") : field;  // stick and slip colour the pressure
-    const z = tick.fields[height.key].map(row => row.map(v => v === null ? 0 : v)), low = height.kind === "signed" ? -height.top : 0;
+    const states = field === height ? null : widened(tick.fields.state);  // ends at the patch: no third state between slip and open
+    const z = tick.fields[height.key].map((row, i) => row.map((v, j) => states && !states[i][j] ? null : v ?? 0)), low = height.kind === "signed" ? -height.top : 0;
     const x = range.s[0] - range.s[1], y = range.along[1] - range.along[0], most = Math.max(x, y);
-    traces.push({type: "surface", x: tick.s, y: tick.along, z, surfacecolor: field === height ? z : tick.fields.state, scene: "scene" + id,
+    traces.push({type: "surface", x: tick.s, y: tick.along, z, surfacecolor: states ?? z, scene: "scene" + id,
       cmin: scale.zmin, cmax: scale.zmax, colorscale: scale.colorscale, reversescale: scale.reversescale, showscale: k === n - 1,
       colorbar: {title: {text: field.unit ? `${field.label}, up to ${field.top} ${field.unit}` : field.label, side: "right"}, thickness: 14, ...scale.colorbar},
       hovertemplate: `s %{x} mm, along %{y} mm<br>%{z} ${height.unit}<extra></extra>`});
@@ -257,12 +258,13 @@ async function drawSlices(view) {
   const redraw = () => {
     const plane = cases[Number(caseSlider.value)].planes[planeChoice.value], kind = fieldChoice.value, AA = planeChoice.value[0] === "A", n = plane.sources.length, traces = [];
     const layout = {font: FONT, margin: {l: 55, r: 20, t: 65, b: 50}, annotations: [], shapes: []};
-    const top = plane.top[kind], ends = AA ? plane.view : [plane.view[1], plane.view[0]];
+    const top = plane.top[kind], power = 10 ** Math.floor(Math.log10(top / 14)), size = [1, 2, 5, 10].map(f => f * power).find(step => step >= top / 14);
+    const last = size * Math.floor(top / size), ends = AA ? plane.view : [plane.view[1], plane.view[0]];
     plane.sources.forEach((source, k) => {
       const id = k ? String(k + 1) : "", axes = {xaxis: "x" + id, yaxis: "y" + id};
       source.bodies.forEach((body, b) => traces.push({type: "contour", x: body.position, y: body.depth, z: body.fields[kind], ...axes, zmin: kind === "shear" ? -top : 0, zmax: top,
-        autocontour: false, contours: {start: kind === "shear" ? -top : 0, end: top, size: top / (kind === "shear" ? 8 : 14)}, line: {width: 0.5, color: "#555"},
-        colorscale: kind === "shear" ? "RdBu" : "Viridis", reversescale: kind !== "shear", showscale: k === n - 1 && b === 0, colorbar: {title: {text: (kind === "shear" ? plane.shear : "von Mises stress") + " [MPa]", side: "right"}, thickness: 14},
+        autocontour: false, contours: {coloring: "heatmap", start: kind === "shear" ? -last : 0, end: last, size}, line: {width: 0.5, color: "#555"},
+        colorscale: kind === "shear" ? "RdBu" : "Viridis", reversescale: kind !== "shear", showscale: k === n - 1 && b === 0, colorbar: {title: {text: `${kind === "shear" ? plane.shear : "von Mises stress"}, up to ${top} MPa`, side: "right"}, thickness: 14},
         hovertemplate: `%{x} mm, %{y} mm from the surface<br>%{z} MPa<extra>${body.name}</extra>`}));
       layout["xaxis" + id] = {domain: domain(k, n), range: ends, title: AA ? "along the rail, rolling direction \u2192 [mm]" : "lateral s (G.C. on the left) [mm]", anchor: "y" + id};
       layout["yaxis" + id] = {range: [-10, 10], title: k ? "" : "from the surface: wheel +, rail \u2212 [mm]", scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain"};

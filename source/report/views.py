@@ -121,7 +121,7 @@ def slice_views(ticks, names=("AA_peak", "BB_peak", "AA", "BB"), digits=6, most_
         if len(sources) == len(ticks):
             cuts = [below.Cut(tick, plane) for tick in ticks.values()]
             planes[plane] = {"sources": sources, "view": plain(below.view_of(cuts), 4),
-                             "top": {kind: style.round_top(max(cut.largest(kind) for cut in cuts))
+                             "top": {kind: float(f"{max(cut.largest(kind) for cut in cuts):.4g}")
                                      for kind in ("von Mises", "shear")},
                              "shear": below.SHEAR[plane[:2]][1][:-6]}
     if not planes:
