@@ -65,12 +65,16 @@ namespace wheelrail
 
 
   std::vector<double>
-  smoothed(Heights heights, const double noise, const double stretch, const std::vector<double> &places)
+  smoothed(Heights                    heights,
+           const double               noise,
+           const double               stretch,
+           const std::vector<double> &places,
+           const unsigned int         draw)
   {
     for (Point2 &p : heights)
       p.x /= stretch;
     const std::vector<Segment> pieces =
-      smoothing_spline(heights, {}, std::vector<double>(heights.size(), noise));
+      smoothing_spline(heights, {}, std::vector<double>(heights.size(), noise), draw);
     std::vector<double> values;
     std::size_t         piece = 0;
     for (const double place : places)
@@ -88,7 +92,7 @@ namespace wheelrail
 
 
   void
-  smooth_along(HeightGrid &grid)
+  smooth_along(HeightGrid &grid, const unsigned int draw)
   {
     constexpr double     reach = 12e-3;
     const std::size_t    n = grid.along.size(), rows = rows_of(grid);
@@ -106,7 +110,7 @@ namespace wheelrail
         for (std::size_t other = 0; other < rows; ++other)
           if (rows == 1 || std::abs(grid.across[other] - grid.across[row]) < reach)
             near.push_back(found[other]);
-        const std::vector<double> values = smoothed(lines[row], median(near), most_stretch, grid.along);
+        const std::vector<double> values = smoothed(lines[row], median(near), most_stretch, grid.along, draw);
         std::copy(values.begin(), values.end(), grid.height.begin() + row * n);
       }
   }

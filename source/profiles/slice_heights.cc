@@ -167,9 +167,9 @@ namespace wheelrail
   {
     const auto shape_of =
       [heights, noise, smoothed = slices.smoothed, place, circumference](const unsigned int draw) {
-        HeightGrid grid = with_noise(heights, true, draw);
+        HeightGrid grid = heights;
         if (noise < 0)
-          smooth_along(grid);
+          smooth_along(grid, draw);
         if (smoothed)
           approximate_along(grid);
         return grid_irregularity(grid, place, 0, circumference);

@@ -20,13 +20,19 @@ namespace wheelrail
   double
   stretch_of(double noise);
 
-  /// The heights without their noise [m], at other places; beyond the ends those of the ends.
+  /// The heights without their noise [m], at other places; beyond the ends those of the ends. `draw`: as in
+  /// smoothing_spline().
   std::vector<double>
-  smoothed(Heights heights, double noise, double stretch, const std::vector<double> &places);
+  smoothed(Heights                    heights,
+           double                     noise,
+           double                     stretch,
+           const std::vector<double> &places,
+           unsigned int               draw = 0);
 
-  /// Smooths the lines along of a grid. Their noise is that of the lines within 12 mm beside them.
+  /// Smooths the lines along of a grid. Their noise is that of the lines within 12 mm beside them. With a
+  /// `draw` they are lines among which they then lie, all off alike: smoothing itself is an error, too.
   void
-  smooth_along(HeightGrid &grid);
+  smooth_along(HeightGrid &grid, unsigned int draw = 0);
 
   /// Sets the noise of heights that were measured one by one: the largest of all lines along; 0 where only
   /// digits make it.
