@@ -192,6 +192,12 @@ namespace
                1,
                "the begin of the second [um]");
     check(surface.at(0, 53e-3).n < -0.5e-3, "the gap is too deep for the wheel");
+    write_slices("far.slcs", "head.txt", 60, 200);
+    scene.second_rail = "far.slcs";
+    const Range along = overlap_along(make_geometry(scene), 0.1e-3, 0);
+    check(along.s0 < -30e-3 && along.s1 > 30e-3,
+          "fine cells reach both ends of a gap of 60 mm: from " + std::to_string(1e3 * along.s0) + " to " +
+            std::to_string(1e3 * along.s1) + " mm");
   }
 
   /// A part of a rail exists from the first slice on that has it; what exists is the same rail.

@@ -217,7 +217,8 @@ namespace wheelrail
       };
     }
 
-    /// What the wheel cannot touch: deeper than a chord of its circle by more than it is ever pressed in.
+    /// What the wheel cannot touch: deeper than a chord of its circle by more than it is ever pressed in. At
+    /// its ends a circle touches half of its length from the axle, as on a slope of that over the radius.
     Irregularity
     gap_between(const Range &gap, const double radius)
     {
@@ -232,7 +233,7 @@ namespace wheelrail
         return along > middle;
       };
       shape.shortest = length;
-      shape.measures = {deep, 0};
+      shape.measures = {deep, 0.5 * length / radius};
       shape.at       = [deep](double, double) { return IrregularHeight{-deep, 0, 0}; };
       return shape;
     }
