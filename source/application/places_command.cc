@@ -13,6 +13,7 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/tick_file.h>
 #include <wheelrail/verdict/rules.h>
+#include <wheelrail/wheel/contact_intervals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +76,10 @@ namespace wheelrail
       hold_against_bodies(scene, smooth, result);
       Measures measures;
       measures.bodies_effect = result.bodies_effect;
-      measures.shift_effect  = result.shift_effect;
-      measures.unheld        = result.unheld;
+      measures.peak =
+        known_within("max_pressure", result.solution.peak_pressure, 1, element_contributions(result));
+      measures.shift_effect = result.shift_effect;
+      measures.unheld       = result.unheld;
       Verdict verdict;
       judge_held(measures, verdict, false);
       return {verdict, result.bodies_effect};

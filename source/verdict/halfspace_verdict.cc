@@ -38,14 +38,13 @@ namespace wheelrail
             100 * std::abs(m.bodies_effect),
             m.bodies_effect < 0 ? "below" : "above") +
             advice);
-    else if (m.peak.cause == "measured input" && m.peak.within <= m.wanted &&
-             std::abs(m.bodies_effect) + m.peak.within > m.wanted)
+    else if (m.peak.within <= m.wanted && std::abs(m.bodies_effect) + m.peak.within > m.wanted)
       add(verdict,
           Grade::with_care,
-          text("the peak pressure is %.0f %% %s that of the true bodies, and noise in measured points leaves "
-               "%.0f %% of it open",
+          text("the peak pressure is %.1f %% %s that of the true bodies, and %s %.1f %% of it open",
                100 * std::abs(m.bodies_effect),
                m.bodies_effect < 0 ? "below" : "above",
+               m.peak.cause == "measured input" ? "noise in measured points leaves" : "the elements leave",
                100 * m.peak.within) +
             advice);
     else if (m.turn >= most_turn)
