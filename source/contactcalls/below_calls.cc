@@ -14,8 +14,6 @@ using namespace wheelrail;
 
 namespace
 {
-  constexpr int most_points = 1000000;
-
   const ContactPoints &
   block_of(const CallProblem &problem, const int number)
   {
@@ -33,8 +31,8 @@ namespace
       throw InputError("ISUBS = " + std::to_string(kind) + " needs first, step and last index, 3 values");
     for (int k = 0; k < n; ++k)
       {
-        if (!(values[k] >= 0 && values[k] <= most_points))
-          throw InputError("indices of points are not from 0 to " + std::to_string(most_points));
+        if (!(values[k] >= 0 && values[k] <= most_contact_elements))
+          throw InputError("indices of points are not from 0 to " + std::to_string(most_contact_elements));
         counts.push_back(int(std::lround(values[k])));
       }
   }
@@ -82,8 +80,8 @@ subs_addblock(const int    *ire,
           if (*nz != 3)
             throw InputError("ISUBS = " + std::to_string(*isubs) + " needs NZ, ZL and DZ, not " +
                              std::to_string(*nz) + " values");
-          if (!(z[0] >= 0 && z[0] <= most_points))
-            throw InputError("NZ is not from 0 to " + std::to_string(most_points));
+          if (!(z[0] >= 0 && z[0] <= most_contact_elements))
+            throw InputError("NZ is not from 0 to " + std::to_string(most_contact_elements));
           for (int k = 0; k < int(std::lround(z[0])); ++k)
             points.z.push_back((z[1] + k * z[2]) * length);
         }

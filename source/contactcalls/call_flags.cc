@@ -95,7 +95,7 @@ namespace wheelrail
     else if (code == 1992)
       one.points_file = std::clamp(value, 0, 2);
     else if (code == 1993)
-      one.iteration.largest = std::clamp(value, 100, 1000000);
+      one.iteration.largest = std::clamp(value, 100, most_contact_elements);
     else if (code >= 2000)
       set_global_flag(code, value);
     else if (code != 1981 && code != 1988) // debug output, sensitivities

@@ -41,8 +41,8 @@ namespace
     grid.values                  = in_millimetres(values + 2, kinds, units);
     grid.line                    = 1;
     const std::vector<double> &v = grid.values;
-    if (grid.mx < 1 || grid.my < 1 || double(grid.mx) * grid.my > 1e6)
-      throw InputError("a grid of MX x MY elements needs from 1 to 1000000 of them");
+    if (const std::string fault = grid.fault_of_size(); !fault.empty())
+      throw InputError(fault);
     if (kind < 0 ? !(*std::min_element(v.begin(), v.end()) > 0)
                  : !(grid.corner()[2] > 0) || !(grid.corner()[3] > 0) ||
                      !std::isfinite(grid.corner()[2] + grid.corner()[3]))

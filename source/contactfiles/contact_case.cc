@@ -22,6 +22,15 @@ namespace wheelrail
     return within + (my - within) % 2;
   }
 
+  std::string
+  ContactGrid::fault_of_size() const
+  {
+    return mx > 0 && my > 0 && double(mx) * my <= most_contact_elements
+             ? ""
+             : "a grid of MX x MY elements needs from 1 to 1000000 of them";
+  }
+
+
   std::array<double, 4>
   ContactGrid::corner() const
   {

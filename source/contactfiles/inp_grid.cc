@@ -9,8 +9,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr int most_elements = 1000000;
-
     void
     read_potential_contact(InpWords &words, ContactCase &one)
     {
@@ -54,8 +52,8 @@ namespace wheelrail
         }
       const InpGroup group = words.group(names);
       one.grid             = {type, int(group.values[0]), int(group.values[1]), group.from(2), group.line};
-      if (one.grid.mx < 1 || one.grid.my < 1 || double(one.grid.mx) * one.grid.my > most_elements)
-        words.fail(group.line, "a grid of MX x MY elements needs from 1 to 1000000 of them");
+      if (const std::string fault = one.grid.fault_of_size(); !fault.empty())
+        words.fail(group.line, fault);
       const std::vector<double> &v = one.grid.values;
       // sizes: semi-axes and scale, or elements
       const bool sizes_good = type < 0 ? *std::min_element(v.begin(), v.end()) > 0
@@ -123,7 +121,7 @@ namespace wheelrail
           case 2:
             {
               const InpGroup group = words.group("#NN XM RM Y1 DY1");
-              if (group.values[0] < 2 || group.values[0] > most_elements || group.values[4] <= 0 ||
+              if (group.values[0] < 2 || group.values[0] > most_contact_elements || group.values[4] <= 0 ||
                   group.values[2] == 0)
                 words.fail(
                   group.line,
@@ -190,7 +188,7 @@ namespace wheelrail
       std::vector<int> integers;
       for (const double value : group.values)
         {
-          if (value < 0 || value > most_elements)
+          if (value < 0 || value > most_contact_elements)
             words.fail(group.line, "counts of points below the surface are not from 0 to 1000000");
           integers.push_back(int(value));
         }

@@ -12,8 +12,7 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double far_apart = 1;   // [m]
-    constexpr double longest   = 1e6; // grid, in elements
+    constexpr double far_apart = 1; // [m]
     constexpr double none      = std::numeric_limits<double>::quiet_NaN();
 
     /// Heights n of the rail over the rows s of a plane, counted into the rail; NaN beside it.
@@ -230,7 +229,8 @@ namespace wheelrail
       grid.x0 = ix * grid.dx;
       grid.y0 = iy * grid.dy;
     };
-    if (!((high_x - low_x) / grid.dx < longest && (high_y - low_y) / grid.dy < longest))
+    if (!((high_x - low_x) / grid.dx < most_contact_elements &&
+          (high_y - low_y) / grid.dy < most_contact_elements))
       throw InputError(
         "Half-spaces: the overlap of wheel and rail is more than 1000000 elements long: a position or force "
         "out of scale");

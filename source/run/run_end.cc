@@ -159,15 +159,9 @@ namespace wheelrail
           measure_against(halfspace, scene, summary, measures);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
           set_figure(summary, "relative_difference_max_pressure", measures.peak_difference);
-          if (draws_irregularities(geometry) && !measures.off_rail())
-            {
-              const double there = middle_of_means(scene, summary, measures);
-              noise              = noise_effect(scene,
-                                   standing(geometry, there, -there / geometry.contact.rolling_radius),
-                                   summary.normal_force);
-            }
-          else
-            noise = noise_effect(scene, geometry, summary.normal_force);
+          const double there = draws_irregularities(geometry) ? middle_of_means(scene, summary, measures) : 0;
+          noise              = noise_effect(
+            scene, standing(geometry, there, -there / geometry.contact.rolling_radius), summary.normal_force);
           if (std::isfinite(noise.peak))
             set_figure(summary, "noise_effect_max_pressure", noise.peak);
         }

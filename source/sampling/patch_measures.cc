@@ -151,7 +151,6 @@ namespace wheelrail
           moment_along += force * patch.along[k];
           moment_lateral += force * patch.lateral[k];
           measures.traction_force_along += patch.traction_along[k] * patch.area[k];
-          measures.traction_force_lateral += patch.traction_lateral[k] * patch.area[k];
           if (slips)
             measures.t_gamma += patch.area[k] * (patch.traction_along[k] * patch.slip_along[k] +
                                                  patch.traction_lateral[k] * patch.slip_lateral[k]);
@@ -186,8 +185,6 @@ namespace wheelrail
     const auto k                  = static_cast<unsigned int>(top - patch.pressure.begin());
     measures.peak_pressure        = *top;
     measures.peak_pressure_fitted = fitted_peak(patch, k / patch.n_lateral, k % patch.n_lateral);
-    measures.peak_along           = patch.along[k];
-    measures.peak_lateral         = patch.lateral[k];
     measures.cells_across         = cells_across_peak(patch, k);
     measures.between_nodes        = rise_between_nodes(patch, k);
 

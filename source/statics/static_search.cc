@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <wheelrail/mesh/discretization.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/statics/facing_surfaces.h>
@@ -265,19 +267,11 @@ namespace wheelrail
   StartTractions
   StaticSearch::shared_tractions() const
   {
-    std::vector<double> numbers(4 + 3 * contact_.nodes().size());
+    StartTractions found;
     on_root(communicator_, [&]() {
-      const StartTractions found =
-        wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_, stretch_);
-      numbers = {found.creepage, found.force, double(found.saturated), double(found.converged)};
-      for (const Vector3 &traction : found.traction)
-        numbers.insert(numbers.end(), traction.begin(), traction.end());
+      found = wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_, stretch_);
     });
-    MPI_Bcast(numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, 0, communicator_);
-    StartTractions shared{numbers[0], numbers[1], numbers[2] > 0, numbers[3] > 0, {}};
-    for (std::size_t k = 4; k < numbers.size(); k += 3)
-      shared.traction.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
-    return shared;
+    return dealii::Utilities::MPI::broadcast(communicator_, found);
   }
 
 

@@ -16,6 +16,9 @@ namespace wheelrail
   /// Units of CONTACT's files in those of the program.
   constexpr double millimetre = 1e-3, megapascal = 1e6;
 
+  /// Elements of a grid, and points below the surface, at most.
+  constexpr int most_contact_elements = 1000000;
+
   /// Numbers of the solvers: outer and inner loops, relative tolerance.
   struct ContactIteration
   {
@@ -141,6 +144,10 @@ namespace wheelrail
     int                 kind = 0, mx = 0, my = 0;
     std::vector<double> values;
     unsigned int        line = 0;
+
+    /// Why it cannot have so many elements; empty: it can.
+    std::string
+    fault_of_size() const;
 
     /// Rows within the strip of IPOTCN = -4 and -5, whose half width they divide; the others lie beside it.
     int

@@ -11,8 +11,6 @@ namespace wheelrail
   {
     double peak_pressure              = 0; ///< largest nodal value [Pa]: the main figure
     double peak_pressure_fitted       = 0; ///< top of the quadratic fitted to the 3 x 3 nodes around it [Pa]
-    double peak_along                 = 0; ///< position of the largest nodal value [m]
-    double peak_lateral               = 0;
     double area                       = 0; ///< inside the edge line, all separate patches together [m2]
     double width                      = 0; ///< lateral extent of the whole [m]
     double length                     = 0; ///< extent along the track of the whole [m]
@@ -24,7 +22,6 @@ namespace wheelrail
     double stick_fraction       = 0; ///< sticking part of the loaded tributary area [1], 0 without load
     double normal_force         = 0; ///< sum of p A [N]
     double traction_force_along = 0; ///< sum of traction_along A, on the rail [N]
-    double traction_force_lateral = 0; ///< sum of traction_lateral A, on the rail [N]
     /// Work of friction for each metre rolled: the sum of traction times relative slip times A, which in
     /// steady rolling is the T-gamma of wear laws, spin included [N = J/m]; NaN for a patch without slip.
     double t_gamma = 0;

@@ -19,6 +19,13 @@ namespace wheelrail
     bool                 saturated = false; ///< the wanted force exceeds the friction bound
     bool                 converged = true;  ///< the half-space solver reached its tolerance
     std::vector<Vector3> traction;          ///< on the rail at every lattice node [Pa]
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &creepage &force &saturated &converged &traction;
+    }
   };
 
   /// How the wheel rolls.
