@@ -1,7 +1,7 @@
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
-#include <wheelrail/base/print.h>
+#include <wheelrail/base/log.h>
 #include <wheelrail/run/run_scene.h>
 
 #include <deal.II/base/exceptions.h>

@@ -6,8 +6,8 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/application/compare_command.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/run_reference.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>
 

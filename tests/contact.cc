@@ -25,7 +25,7 @@ namespace
   moved(const Model &model, const Vector3 &X, const Motion &motion)
   {
     return model.axle.centre + Vector3{0, -motion.down, motion.along} +
-           rotated(X - model.axle.centre, model.axle.axis, motion.angle);
+           Rotation(model.axle.axis, motion.angle)(X - model.axle.centre);
   }
 
   /// Places the wheel and gives its nodes the velocities `linear` and `rate` about the axle.

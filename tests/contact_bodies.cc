@@ -4,10 +4,10 @@
 #include "contact_inputs.h"
 #include "messages.h"
 
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/contactfiles/case_bodies.h>
-#include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/wheel_rail_input.h>
+#include <wheelrail/contactfiles/inp_file.h>
 
 #include <cmath>
 #include <fstream>

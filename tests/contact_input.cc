@@ -4,6 +4,7 @@
 // and the problem read back from the text solves to the same.
 
 #include "messages.h"
+#include "quadratic_distance.h"
 
 #include <wheelrail/contactfiles/contact_input.h>
 
@@ -13,6 +14,7 @@ using namespace wheelrail;
 using test::check;
 using test::check_near;
 using test::check_text;
+using test::quadratic_distance;
 
 namespace
 {

@@ -50,8 +50,8 @@ namespace
       if (solid.mesh.node_body[n] == Body::wheel)
         {
           const double *R = &solid.mesh.reference[4 * n];
-          const Vector3 X = {R[0], R[1], R[2]},
-                        x = model.axle.centre + move + rotated(X - model.axle.centre, model.axle.axis, angle);
+          const Vector3 X = {R[0], R[1], R[2]}, x = model.axle.centre + move +
+                                                    Rotation(model.axle.axis, angle)(X - model.axle.centre);
           for (int i = 0; i < 3; ++i)
             solid.displacement[4 * n + i] = x[i] - X[i];
           solid.velocity[4 * n]     = 0.1;

@@ -3,7 +3,7 @@
 #include "messages.h"
 #include "reference_table.h"
 
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/vehicle/creep_curve.h>

@@ -151,7 +151,7 @@ namespace
         const Vector3 X = {R[0], R[1], R[2]};
         const Vector3 x = mesh.node_body[n] == Body::rail
                             ? X
-                            : model.axle.centre + rotated(X - model.axle.centre, model.axle.axis, angle);
+                            : model.axle.centre + Rotation(model.axle.axis, angle)(X - model.axle.centre);
         for (int i = 0; i < 3; ++i)
           solid.displacement[4 * n + i] = x[i] - X[i] + (i == 2 ? 29. : 0.);
       }

@@ -4,7 +4,7 @@
 #include "manchester.h"
 #include "reference_table.h"
 
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/vehicle/wheelset_contact.h>
 #include <wheelrail/wheel/halfspace_case.h>

@@ -4,6 +4,7 @@
 // them in closed form.
 
 #include "check.h"
+#include "quadratic_distance.h"
 
 #include <wheelrail/halfspace/problem.h>
 
@@ -18,6 +19,7 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::quadratic_distance;
 
 namespace
 {

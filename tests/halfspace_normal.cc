@@ -3,6 +3,7 @@
 // Normal problem of the half-space solver: Hertz in closed form, CONTACT at the same grids, complementarity
 // on a rough surface.
 
+#include "quadratic_distance.h"
 #include "reference_table.h"
 
 #include <wheelrail/base/errors.h>
@@ -17,6 +18,7 @@ using namespace wheelrail;
 using test::check;
 using test::check_near;
 using test::check_relative;
+using test::quadratic_distance;
 
 namespace
 {

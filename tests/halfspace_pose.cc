@@ -5,7 +5,7 @@
 
 #include "reference_table.h"
 
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/wheel/halfspace_case.h>
 
 #include <string>

@@ -3,6 +3,7 @@
 // steady.
 
 #include "element_table.h"
+#include "quadratic_distance.h"
 
 #include <wheelrail/halfspace/problem.h>
 
@@ -15,6 +16,7 @@ using namespace wheelrail;
 using test::check;
 using test::check_near;
 using test::check_relative;
+using test::quadratic_distance;
 
 namespace
 {

@@ -4,6 +4,7 @@
 // against closed forms.
 
 #include "check.h"
+#include "quadratic_distance.h"
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/halfspace/influence.h>
@@ -18,6 +19,7 @@ using namespace wheelrail;
 using test::check;
 using test::check_near;
 using test::check_relative;
+using test::quadratic_distance;
 
 namespace
 {

@@ -6,7 +6,7 @@
 
 #include "check.h"
 
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/figures.h>

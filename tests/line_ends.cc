@@ -4,8 +4,10 @@
 
 #include "check.h"
 
-#include <wheelrail/base/line_ends.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/input/flat_input.h>
+
+#include <string>
 
 using namespace wheelrail;
 using test::check;

@@ -5,8 +5,8 @@
 #include "messages.h"
 
 #include <wheelrail/application/command_line.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/left_out.h>
-#include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/run/simulation.h>
 

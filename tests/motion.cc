@@ -6,7 +6,6 @@
 #include <wheelrail/base/smooth_curve.h>
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/motion_path.h>
 #include <wheelrail/model/scene_motion.h>
 
 #include "check.h"

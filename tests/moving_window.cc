@@ -66,7 +66,7 @@ namespace
       X[0] * 1.001 + 2e-4 * X[1], X[1] * 0.999 + 3e-4 * X[2], X[2] * 1.002 - 1e-4 * X[0]};
     if (body == Body::rail)
       return strained - X;
-    return centre + Vector3{0, -1e-4, 1.7} + rotated(strained - centre, axis, 3.7) - X;
+    return centre + Vector3{0, -1e-4, 1.7} + Rotation(axis, 3.7)(strained - centre) - X;
   }
 
   Vector3

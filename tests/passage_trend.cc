@@ -7,7 +7,7 @@
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/run/passage_list.h>
-#include <wheelrail/run/passage_trend.h>
+#include <wheelrail/run/passage_table.h>
 
 #include <algorithm>
 #include <cmath>

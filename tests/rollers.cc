@@ -5,7 +5,7 @@
 #include "check.h"
 #include "messages.h"
 
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/mesh/wheel_section_outline.h>
 #include <wheelrail/model/model.h>

@@ -3,8 +3,8 @@
 #include "check.h"
 #include "manchester.h"
 
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/shift_effect.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/wheel/several_patches.h>
 

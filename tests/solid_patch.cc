@@ -91,7 +91,7 @@ namespace
     const double angle = 10 * 2 * M_PI + 1;
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
       {
-        const Vector3 X = place_of(mesh, n), u = rotated(X, normalised({1, 2, 3}), angle) - X;
+        const Vector3 X = place_of(mesh, n), u = Rotation(normalised({1, 2, 3}), angle)(X) - X;
         for (int i = 0; i < 3; ++i)
           solid.displacement[4 * n + i] = u[i];
       }

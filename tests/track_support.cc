@@ -36,7 +36,7 @@ namespace
     const PadDamping damper = matched_damper(0.25, 449);
     check_near(loss_factor(damper, 449), 0.25, 1e-12, "one damper: its loss factor at its frequency");
     check_near(loss_factor(damper, 1261), 0.702, 1e-3, "and in proportion at another");
-    for (const double loss : {0.02, 0.1, 0.25, most_constant_loss})
+    for (const double loss : {0.02, 0.1, 0.25, 0.5})
       {
         const PadDamping constant = constant_loss(loss);
         double           low = 1e300, high = 0;

@@ -6,7 +6,6 @@
 // (tests/reference/patch_280MPa.csv), whose band this checks on cells of two sizes. doc/theory/paper.md has
 // what comes out beside the runs. Where nothing flows, the stresses below a circle are Hertz's.
 
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/kernel.h>
 #include <wheelrail/solid/point_state.h>
 

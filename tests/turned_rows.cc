@@ -4,6 +4,7 @@
 // half-spaces' influences that are turned; rows turned alike are a plane.
 
 #include "check.h"
+#include "quadratic_distance.h"
 
 #include <wheelrail/halfspace/turned_rows.h>
 
@@ -18,6 +19,7 @@
 using namespace wheelrail;
 using test::check_near;
 using test::check_relative;
+using test::quadratic_distance;
 
 namespace
 {

@@ -5,7 +5,6 @@
 
 #include <wheelrail/dynamics/rolling.h>
 #include <wheelrail/run/run_start.h>
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/point_state.h>
 #include <wheelrail/statics/unloading.h>
 

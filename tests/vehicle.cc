@@ -5,7 +5,7 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/interrupt.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/vehicle/vehicle.h>
 #include <wheelrail/vehicle/vehicle_rows.h>

@@ -5,7 +5,7 @@
 #include "check.h"
 
 #include <wheelrail/base/read_file.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/vehicle/wheelset_contact.h>

@@ -4,7 +4,7 @@
 #include "check.h"
 #include "cone_scene.h"
 
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/vehicle/pair_root.h>
 #include <wheelrail/vehicle/wheelset_contact.h>
 #include <wheelrail/vehicle/wheelset_figures.h>

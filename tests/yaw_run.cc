@@ -1,8 +1,8 @@
 // Runs of a wheelset with yaw, on coarse cells: its lateral force against half-spaces, no such force without
 // friction, and a run that is stopped and goes on.
 
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/run_reference.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 
 #include "parallel.h"
 #include "yaw_scene.h"

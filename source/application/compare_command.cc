@@ -3,10 +3,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/body_pose.h>
 #include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/bodies/run_reference.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/commands/command_scene.h>
 #include <wheelrail/commands/halfspace_results.h>
 #include <wheelrail/commands/report_script.h>

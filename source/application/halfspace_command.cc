@@ -1,9 +1,9 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/answering_bodies.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/body_pose.h>
 #include <wheelrail/bodies/shift_effect.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/commands/command_scene.h>
 #include <wheelrail/commands/halfspace_results.h>
 #include <wheelrail/commands/report_script.h>

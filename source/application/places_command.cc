@@ -1,8 +1,8 @@
 #include <wheelrail/application/places_command.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/progress.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/shift_effect.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/commands/halfspace_results.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/commands/row_verdicts.h>

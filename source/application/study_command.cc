@@ -1,7 +1,7 @@
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
-#include <wheelrail/base/shared_files.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>

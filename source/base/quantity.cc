@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/base/shown_text.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/bodies/answering_bodies.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/output/figures.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
 #include <wheelrail/bodies/body_contact.h>
+#include <wheelrail/bodies/kept_tables.h>
 #include <wheelrail/bodies/placed_bodies.h>
 #include <wheelrail/halfspace/added_influence.h>
 #include <wheelrail/model/expected_patch.h>
@@ -6,6 +7,7 @@
 #include <wheelrail/wheel/halfspace_parts.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 // One wheel on one rail as true bodies (doc/theory/bodies.md, Contact). One round: 1. load and force that the
@@ -333,5 +335,22 @@ namespace wheelrail
     BodyContact contact(scene, geometry, tables);
     contact.carry(load);
     return contact.result();
+  }
+
+
+  WheelRailSolution
+  solve_wheel_rail(const Scene          &scene,
+                   const SceneGeometry  &geometry,
+                   const WheelRailLoad  &load,
+                   const SectionOffsets &offsets)
+  {
+    const auto        begin = std::chrono::steady_clock::now();
+    WheelRailSolution result =
+      scene.halfspace_bodies == ContactBodies::real
+        ? solve_bodies(scene, geometry, load, make_body_tables(scene, geometry, kept_tables_folder()))
+        : solve_halfspaces(scene, geometry, load, offsets);
+    name_made_up(geometry, result);
+    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
   }
 } // namespace wheelrail

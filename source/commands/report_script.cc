@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
 #include <wheelrail/base/interrupt.h>
-#include <wheelrail/base/shared_files.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/commands/report_script.h>
 
 #include <chrono>

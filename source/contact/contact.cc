@@ -81,10 +81,10 @@ namespace wheelrail
           int         touches;
         };
         // two calls: their sums with how many touches come, then those
-        std::vector<int> counts;
-        const auto       parts = gather_values(Part{sums, static_cast<int>(touches.size())}, communicator_);
-        sums                   = ContactSums();
-        for (const Part &part : parts)
+        const std::vector<Part> own = {{sums, static_cast<int>(touches.size())}};
+        std::vector<int>        counts;
+        sums = ContactSums();
+        for (const Part &part : gather_all(own, std::vector<int>(n_ranks_, 1), communicator_))
           {
             sums += part.sums;
             counts.push_back(part.touches);

@@ -1,4 +1,4 @@
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/contactfiles/control_digits.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <wheelrail/base/file_kind.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/contactfiles/inp_groups.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/shown_text.h>
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/contactfiles/inp_words.h>
 
 #include <algorithm>

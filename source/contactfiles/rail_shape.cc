@@ -1,5 +1,5 @@
-#include <wheelrail/contactfiles/contact_slices.h>
 #include <wheelrail/contactfiles/rail_shape.h>
+#include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/profiles/slices_file.h>
 
 #include <cmath>

@@ -1,13 +1,19 @@
+#include <deal.II/base/quadrature_lib.h>
+
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/profiles/profile_formats.h>
+#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/profiles/smoothing_spline.h>
 #include <wheelrail/sections/cubic_spline.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace wheelrail
 {
@@ -179,12 +185,13 @@ namespace wheelrail
   double
   ProfileLine::length_within(const std::size_t piece, const double u) const
   {
-    // Gauss's rule of four points
-    constexpr std::array<double, 4> at{{0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558}},
-      weight{{0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226}};
-    double sum = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      sum += weight[i] * std::hypot(slope(pieces_[piece].y, u * at[i]), slope(pieces_[piece].z, u * at[i]));
+    static const dealii::QGauss<1> gauss(4);
+    double                         sum = 0;
+    for (unsigned int i = 0; i < gauss.size(); ++i)
+      {
+        const double at = u * gauss.point(i)[0];
+        sum += gauss.weight(i) * std::hypot(slope(pieces_[piece].y, at), slope(pieces_[piece].z, at));
+      }
     return u * sum;
   }
 
@@ -314,5 +321,36 @@ namespace wheelrail
   section_line(const ContactProfile &profile, const bool wheel)
   {
     return ProfileLine(section_points(profile, wheel), profile.file);
+  }
+
+
+  std::shared_ptr<const SectionsSurface>
+  contact_slices(const ContactProfile &profile, const bool wheel)
+  {
+    const bool in_metres = profile.scale == 1000;
+    Slices slices = read_slices_file(profile.file, in_metres ? ProfileUnit::metre : ProfileUnit::millimetre);
+    if (slices.wheel != wheel)
+      throw InputError(profile.file + (wheel ? ": slices of a rail (.slcs) stand for a wheel"
+                                             : ": slices of a wheel (.slcw) stand for a rail"));
+    const double scale = in_metres ? 1 : profile.scale;
+    for (Slices::Slice &slice : slices.slices)
+      for (Point2 &p : slice.points)
+        p = {(profile.mirror_y == 1 ? -1 : 1) * scale * p.x, (profile.mirror_z == 1 ? -1 : 1) * scale * p.y};
+    return std::make_shared<const SectionsSurface>(slices, Placement{{0, 0}, 0}, 0, profile.file);
+  }
+
+
+  ProfileLine
+  section_at(const SectionsSurface &slices, const double place, const bool wheel)
+  {
+    const SectionColumn column = slices.column(place);
+    if (column.empty())
+      throw InputError(slices.path() + ": nothing is at " +
+                       (wheel ? text("%.4g degrees", place * 180 / M_PI) : text("%g mm", 1e3 * place)));
+    slices.refuse_jump(place);
+    std::vector<Point2> points;
+    for (const Point2 &p : column.points()) // there y to the track centre and z up
+      points.push_back({-p.x, -p.y});
+    return ProfileLine(std::move(points), slices.path(), false);
   }
 } // namespace wheelrail

@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/contactfiles/contact_slices.h>
+#include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/contactfiles/wheel_shape.h>
 #include <wheelrail/profiles/slices_file.h>
 

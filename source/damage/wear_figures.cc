@@ -20,29 +20,32 @@ namespace wheelrail
 
 
   void
-  set_wear_figures(const WornContact &contact, const WearData &data, Summary &summary)
+  set_wear_figures(const WearProfile &wear,
+                   const double       tangential,
+                   const double       yield_stress,
+                   const WearData    &data,
+                   Summary           &summary)
   {
-    if (!(contact.area > 0) || !(contact.normal_force > 0))
+    const double area = summary.contact_area, peak = summary.max_pressure, force = summary.normal_force,
+                 t_gamma = get_figure(summary, "t_gamma_N");
+    if (!(area > 0) || !(force > 0))
       return;
-    const auto   set       = [&](const char *key, const double value) { set_figure(summary, key, value); };
-    const double intensity = contact.t_gamma / contact.area;
-    set("t_gamma_over_area_N_per_m2", intensity);
-    set("usfd_wear_rate_kg_per_m3", usfd_wear_rate(intensity));
-    set("burstow_damage", burstow_damage(contact.t_gamma, data));
-    const double traction = contact.tangential_force / contact.normal_force;
-    set("utilised_friction", traction);
+    const auto set = [&](const char *key, const double value) { set_figure(summary, key, value); };
+    set("t_gamma_over_area_N_per_m2", t_gamma / area);
+    set("usfd_wear_rate_kg_per_m3", usfd_wear_rate(t_gamma / area));
+    set("burstow_damage", burstow_damage(t_gamma, data));
+    set("utilised_friction", tangential / force);
     // k = sigma_y / sqrt(3) (von Mises 1913)
     const double shear_yield =
-      std::isfinite(data.shear_yield) ? data.shear_yield : contact.yield_stress / std::sqrt(3.);
+      std::isfinite(data.shear_yield) ? data.shear_yield : yield_stress / std::sqrt(3.);
     if (std::isfinite(shear_yield))
       {
-        set("fatigue_index", fatigue_index(traction, shear_yield, contact.peak_pressure));
-        set("shakedown_load", contact.peak_pressure / shear_yield);
+        set("fatigue_index", fatigue_index(tangential / force, shear_yield, peak));
+        set("shakedown_load", peak / shear_yield);
       }
-    if (!contact.wear || contact.wear->depth.empty())
+    if (wear.depth.empty())
       return;
-    const WearProfile &profile = *contact.wear;
-    set("archard_depth_m", *std::max_element(profile.depth.begin(), profile.depth.end()));
-    set("archard_section_m2", over_width(profile, profile.depth));
+    set("archard_depth_m", *std::max_element(wear.depth.begin(), wear.depth.end()));
+    set("archard_section_m2", over_width(wear, wear.depth));
   }
 } // namespace wheelrail

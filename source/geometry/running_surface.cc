@@ -195,7 +195,7 @@ namespace wheelrail
     const FrameProfile::Value smooth = section_.at(place.s);
     const double              across = pose_.section.to_section(frame_.to_track({place.s, smooth.n})).x;
     const IrregularHeight     h =
-      height_at(*irregular_, CarriedBy::offset, 2 * M_PI * radius_, across, origin_ + place.along);
+      height_at(*irregular_, 2 * M_PI * radius_, across, origin_ + place.along, CarriedBy::offset);
     return {-h.across * std::cos(frame_.angle + std::atan(smooth.slope) - pose_.section.angle), h.along};
   }
 
@@ -222,7 +222,7 @@ namespace wheelrail
       return X;
     const double          across = pose_.section.to_section(frame_.to_track({s, smooth.n})).x;
     const IrregularHeight h =
-      height_at(*irregular_, CarriedBy::mesh, 2 * M_PI * radius_, across, origin_ + p.along);
+      height_at(*irregular_, 2 * M_PI * radius_, across, origin_ + p.along, CarriedBy::mesh);
     if (h.height == 0)
       return X;
     const double secant = std::sqrt(1 + smooth.slope * smooth.slope), rise = outwards * share * h.height;
@@ -247,7 +247,7 @@ namespace wheelrail
         const double across = pose_.section.to_section(frame_.to_track({section_.within(p.s), smooth.n})).x;
         const double rise =
           outwards *
-          height_at(*irregular_, CarriedBy::mesh, 2 * M_PI * radius_, across, origin_ + p.along).height;
+          height_at(*irregular_, 2 * M_PI * radius_, across, origin_ + p.along, CarriedBy::mesh).height;
         p.s = s + rise * smooth.slope / std::sqrt(1 + smooth.slope * smooth.slope);
         p.n = smooth.n;
       }

@@ -84,4 +84,18 @@ namespace wheelrail
     placement.origin = {b + lateral_shift - c * b + s * r, axle_height - s * b - c * r};
     return placement;
   }
+
+
+  double
+  gauge_face(const TrackDimensions &track)
+  {
+    return running_circle_distance(track) - 0.5 * track.gauge;
+  }
+
+
+  HeadPlace
+  head_place(const Placement &rail, const TrackDimensions &track, const Point2 &point)
+  {
+    return {-rail.to_section(point).x, gauge_face(track) - point.x, -point.y};
+  }
 } // namespace wheelrail

@@ -1,5 +1,5 @@
 #include <wheelrail/halfspace/added_influence.h>
-#include <wheelrail/halfspace/fft_planning.h>
+#include <wheelrail/halfspace/influence.h>
 
 #include <fftw3.h>
 

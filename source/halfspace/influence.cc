@@ -1,5 +1,4 @@
 #include <wheelrail/halfspace/corner_sweep.h>
-#include <wheelrail/halfspace/fft_planning.h>
 #include <wheelrail/halfspace/influence.h>
 
 #include <fftw3.h>

@@ -134,11 +134,4 @@ namespace wheelrail
         distance[i + grid.mx * j] = h(grid.x(i), grid.y(j));
     return distance;
   }
-
-  std::vector<double>
-  quadratic_distance(const HalfspaceGrid &grid, const double rx, const double ry)
-  {
-    // Hertz (1882): surfaces as paraboloids, h = x^2/(2 rx) + y^2/(2 ry)
-    return sampled_distance(grid, [&](double x, double y) { return x * x / (2 * rx) + y * y / (2 * ry); });
-  }
 } // namespace wheelrail

@@ -2,9 +2,8 @@
 #include <wheelrail/halfspace/friction_field.h>
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/measures.h>
-#include <wheelrail/halfspace/normal_problem.h>
+#include <wheelrail/halfspace/normal.h>
 #include <wheelrail/halfspace/plastic_layer.h>
-#include <wheelrail/halfspace/run_in.h>
 #include <wheelrail/halfspace/simplified.h>
 #include <wheelrail/halfspace/tangential.h>
 

@@ -1,8 +1,14 @@
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector.h>
+
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/halfspace/friction_system.h>
-#include <wheelrail/halfspace/krylov.h>
+#include <wheelrail/halfspace/tangential.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 // Tangential problem, |t| <= g = mu p, s = 0 inside the bound, t = -g s/|s| on it, as the equation t = P(t -
@@ -10,11 +16,68 @@
 // Kalker (1990) changes sets of elements one by one.
 // Checked: Carter's strip, creepage within 0.18 % with 400 elements; Cattaneo's shift, 0.2 %
 // (doc/theory/halfspace.md, Verification).
+//
+// What ran into the contact within a step dq longer than an element: its slip is (u - u_edge)/(share dq),
+// u_edge at the leading edge, share the part of dq since then (doc/theory/halfspace.md, Frame and signs), as
+// in CONTACT.
 
 namespace wheelrail
 {
   namespace
   {
+    using LinearMap = std::function<void(const std::vector<double> &, std::vector<double> &)>;
+    using Vector    = dealii::Vector<double>;
+
+    /// A map as deal.II's solvers call it.
+    struct Applied
+    {
+      const LinearMap            &map;
+      mutable std::vector<double> from, to;
+
+      void
+      vmult(Vector &result, const Vector &argument) const
+      {
+        leave_if_interrupted();
+        from.assign(argument.begin(), argument.end());
+        map(from, to);
+        std::copy(to.begin(), to.end(), result.begin());
+      }
+    };
+
+    /// Solves A x = b from x = 0 by GMRES with the right preconditioner M (both maps: result =
+    /// map(argument)), without restart (Saad and Schultz 1986). Stops when |b - A x| <= tolerance |b| or
+    /// after max_iterations products. Returns the number of products.
+    int
+    solve_gmres(const LinearMap           &A,
+                const LinearMap           &M,
+                const std::vector<double> &b,
+                const double               tolerance,
+                const int                  max_iterations,
+                std::vector<double>       &x)
+    {
+      // A x = b by GMRES (Saad and Schultz 1986), preconditioned from the right so that the residual is that
+      // of A itself and the tolerance means the same whatever the preconditioner
+      const Vector load(b.begin(), b.end());
+      Vector       solution(load.size());
+      const double norm = load.l2_norm();
+      x.assign(b.size(), 0.);
+      if (norm == 0)
+        return 0;
+      dealii::SolverControl control(max_iterations, tolerance * norm, false, false);
+      // as many vectors as iterations: no restart
+      dealii::SolverGMRES<Vector> solver(
+        control, dealii::SolverGMRES<Vector>::AdditionalData(max_iterations + 2, true));
+      try
+        {
+          solver.solve(Applied{A, {}, {}}, solution, load, Applied{M, {}, {}});
+        }
+      catch (const dealii::SolverControl::NoConvergence &) // Newton's next residual tells
+        {
+        }
+      std::copy(solution.begin(), solution.end(), x.begin());
+      return static_cast<int>(control.last_step());
+    }
+
     // Newton steps that are exact to 1e-3 gain three digits each, enough where the sets of slip still change;
     // the limits lie far beyond what cases need: 25 products and 8 steps (doc/theory/halfspace.md)
     constexpr double krylov_tolerance   = 1e-3;
@@ -218,4 +281,24 @@ namespace wheelrail
         state.creepage[system.forces[f]] = t[2 * n + f];
     }
   } // namespace
+
+
+  std::vector<RunIn>
+  elements_run_in(const HalfspaceProblem &problem, const double step, const std::vector<double> &pressure)
+  {
+    const HalfspaceGrid &grid = problem.grid;
+    std::vector<RunIn>   found;
+    if (problem.motion == HalfspaceMotion::shift || problem.simplified || step < 1.001 * grid.dx)
+      return found;
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = grid.mx - 1, edge = -1; i >= 0; --i)
+        {
+          const int e = i + grid.mx * j;
+          if (!(pressure[e] > 0))
+            edge = e;
+          else if (edge >= 0 && i + 2 < grid.mx && (edge - e) * grid.dx < 0.9999 * step)
+            found.push_back({e, edge, (edge - e) * grid.dx / step});
+        }
+    return found;
+  }
 } // namespace wheelrail

@@ -1,7 +1,6 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/line_ends.h>
-#include <wheelrail/base/shown_text.h>
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>

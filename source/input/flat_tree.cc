@@ -1,5 +1,5 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/hints.h>
-#include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/flat_input.h>
 
 #include <boost/algorithm/string/trim.hpp>

@@ -1,7 +1,7 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/file_kind.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/input/input_file.h>
 
 #include <algorithm>

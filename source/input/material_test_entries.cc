@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 

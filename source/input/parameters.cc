@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>

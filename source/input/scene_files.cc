@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
-#include <wheelrail/base/split_list.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>

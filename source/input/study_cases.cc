@@ -1,4 +1,4 @@
-#include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/input/study_cases.h>

@@ -3,7 +3,6 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/mesh/block_length.h>
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/mesh/sweep_plan.h>
 

@@ -3,9 +3,7 @@
 #include <wheelrail/contact/make_law.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
-#include <wheelrail/model/irregular_strip.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/motion_path.h>
 #include <wheelrail/model/moved_cells.h>
 #include <wheelrail/model/planned_strip.h>
 #include <wheelrail/model/scene_material.h>

@@ -3,7 +3,6 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/model/rail_slices.h>
-#include <wheelrail/model/rise_of_crossing.h>
 #include <wheelrail/model/rise_of_slices.h>
 #include <wheelrail/model/rise_over_section.h>
 #include <wheelrail/profiles/height_noise.h>

@@ -3,7 +3,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/geometry/roughness.h>
-#include <wheelrail/mesh/block_length.h>
+#include <wheelrail/mesh/sweep_plan.h>
 #include <wheelrail/model/rise_of_slices.h>
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/roughness_file.h>

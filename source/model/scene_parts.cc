@@ -1,5 +1,4 @@
 #include <wheelrail/dynamics/supports.h>
-#include <wheelrail/model/rail_support.h>
 #include <wheelrail/model/scene_parts.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_file.h>

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
@@ -16,7 +17,6 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -141,23 +141,6 @@ namespace wheelrail
       out << "</Piece>\n";
       return out.str();
     }
-
-    /// Texts of all ranks behind one another on rank 0, nothing elsewhere. deal.II's gather() compresses what
-    /// it sends, which for data that are compressed takes longer than making them.
-    std::string
-    joined_on_root(const std::string &own, const MPI_Comm comm)
-    {
-      int rank = 0, ranks = 1;
-      MPI_Comm_rank(comm, &rank);
-      MPI_Comm_size(comm, &ranks);
-      const int        size = static_cast<int>(own.size());
-      std::vector<int> sizes(ranks), first(ranks, 0);
-      MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, comm);
-      std::partial_sum(sizes.begin(), sizes.end() - 1, first.begin() + 1);
-      std::string all(rank == 0 ? std::size_t(first.back()) + sizes.back() : 0, ' ');
-      MPI_Gatherv(own.data(), size, MPI_CHAR, all.data(), sizes.data(), first.data(), MPI_CHAR, 0, comm);
-      return all;
-    }
   } // namespace
 
   void
@@ -173,7 +156,7 @@ namespace wheelrail
 
     // The parts are small once compressed. Through rank 0 they need no parallel file system, and a
     // full disk is reported with its reason.
-    const std::string pieces = joined_on_root(make_piece(mesh), comm);
+    const std::string pieces = gather_on_root(make_piece(mesh), comm);
     on_root(comm, [&]() {
       std::ostringstream file;
       file << "<?xml version=\"1.0\"?>\n<!-- wheelrail " WHEELRAIL_VERSION

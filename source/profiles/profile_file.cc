@@ -2,7 +2,6 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_cleaning.h>
-#include <wheelrail/profiles/profile_crown.h>
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/profiles/profile_orientation.h>
 #include <wheelrail/profiles/profile_text.h>

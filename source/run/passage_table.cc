@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
-#include <wheelrail/base/split_list.h>
 #include <wheelrail/output/descriptions.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_handles.h>
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -233,5 +234,59 @@ namespace wheelrail
     write_cuts(file, folder, passed);
     const std::vector<char> bytes = hdf5::file_image(file);
     replace_file(folder + "/passages.h5", bytes.data(), bytes.size());
+  }
+
+
+  namespace
+  {
+    bool
+    near(const double before, const double now, const double change)
+    {
+      return std::abs(now - before) <= change * std::abs(before);
+    }
+
+    bool
+    steady(const RoundGrowth &before, const RoundGrowth &now, const double least, const double change)
+    {
+      const bool flows = std::abs(now.shear) >= least || std::abs(before.shear) >= least;
+      return near(before.strain, now.strain, change) && (!flows || near(before.shear, now.shear, change));
+    }
+  } // namespace
+
+
+  PassageTrend
+  trend_of(const std::vector<RoundGrowth> &rounds, const double least, const double change)
+  {
+    if (rounds.empty())
+      return PassageTrend::open;
+    const std::size_t  n    = rounds.size();
+    const RoundGrowth &last = rounds.back();
+    if (last.strain < least)
+      return PassageTrend::shakedown;
+    if (n < 3 || !steady(rounds[n - 3], rounds[n - 2], least, change) ||
+        !steady(rounds[n - 2], last, least, change))
+      return PassageTrend::open;
+    return std::abs(last.shear) >= least ? PassageTrend::ratcheting : PassageTrend::to_and_fro;
+  }
+
+
+  std::string
+  in_words(const PassageTrend trend, const RoundGrowth &last)
+  {
+    char strain[40], shear[40];
+    std::snprintf(strain, sizeof(strain), "%.2g", last.strain);
+    std::snprintf(shear, sizeof(shear), "%.2g", last.shear);
+    const std::string forward =
+      !std::isnan(last.shear)
+        ? std::string(", the forward shear of the plastic zone by ") + shear + " in the last round"
+      : trend == PassageTrend::shakedown
+        ? " in the last round"
+        : " in the last round; the run is too short to tell the forward flow";
+    const std::string verdict = trend == PassageTrend::shakedown ? "the rail has shaken down"
+                                : trend == PassageTrend::to_and_fro
+                                  ? "the rail is in alternating plasticity (closed plastic loop)"
+                                : trend == PassageTrend::ratcheting ? "the rail ratchets"
+                                                                    : "the passages are not steady yet";
+    return verdict + ": the largest plastic strain grew by " + strain + forward;
   }
 } // namespace wheelrail

@@ -5,8 +5,8 @@
 #include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/damage/wear_figures.h>
-#include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/made_up_part.h>
+#include <wheelrail/geometry/track.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/expected_patch.h>
@@ -20,8 +20,8 @@
 #include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
+#include <wheelrail/wheel/contact_reference.h>
 #include <wheelrail/wheel/noise_effect.h>
-#include <wheelrail/wheel/reference_figures.h>
 
 #include <sys/resource.h>
 
@@ -120,16 +120,11 @@ namespace wheelrail
     add_wear(Summary &summary, const Scene &scene, const WearProfile &wear)
     {
       const double across = get_figure(summary, "tangential_lateral_force_N");
-      WornContact  worn;
-      worn.wear             = &wear;
-      worn.normal_force     = summary.normal_force;
-      worn.tangential_force = std::hypot(summary.longitudinal_force, std::isfinite(across) ? across : 0);
-      worn.peak_pressure    = summary.max_pressure;
-      worn.area             = summary.contact_area;
-      worn.t_gamma          = get_figure(summary, "t_gamma_N");
-      worn.velocity         = summary.velocity;
-      worn.yield_stress     = yield_strength(scene.rail_material);
-      set_wear_figures(worn, scene.wear, summary);
+      set_wear_figures(wear,
+                       std::hypot(summary.longitudinal_force, std::isfinite(across) ? across : 0),
+                       yield_strength(scene.rail_material),
+                       scene.wear,
+                       summary);
     }
 
     /// How the wheelset stood in the middle of the stretch of the means.

@@ -7,7 +7,6 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/end_screen.h>
-#include <wheelrail/run/moving_mesh.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_in.h>
 #include <wheelrail/run/run_output.h>

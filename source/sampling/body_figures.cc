@@ -1,5 +1,4 @@
 #include <wheelrail/sampling/body_figures.h>
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/point_state.h>
 
 #include <algorithm>

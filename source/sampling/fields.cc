@@ -1,5 +1,5 @@
 #include <wheelrail/sampling/fields.h>
-#include <wheelrail/solid/cauchy.h>
+#include <wheelrail/solid/point_state.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

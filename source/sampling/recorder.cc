@@ -5,7 +5,6 @@
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/recorder.h>
 #include <wheelrail/sampling/settling.h>
-#include <wheelrail/sampling/track_figures.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
 #include <wheelrail/sampling/residual.h>
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/point_state.h>
 
 #include <algorithm>

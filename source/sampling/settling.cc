@@ -1,27 +1,46 @@
 #include <wheelrail/sampling/settling.h>
 
+#include <boost/math/statistics/linear_regression.hpp>
+#include <boost/math/statistics/univariate_statistics.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace wheelrail
 {
+  namespace
+  {
+    namespace statistics = boost::math::statistics;
+
+    /// The rows of a stretch.
+    struct Rows
+    {
+      std::vector<double> distance, values;
+    };
+
+    Rows
+    rows_of(const std::vector<double> &distance, const std::vector<double> &values, const Range &stretch)
+    {
+      // round-off must not take a row at an end
+      const double from = stretch.s0 - 1e-9, to = stretch.s1 + 1e-9;
+      Rows         rows;
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (distance[k] >= from && distance[k] <= to)
+          {
+            rows.distance.push_back(distance[k]);
+            rows.values.push_back(values[k]);
+          }
+      return rows;
+    }
+  } // namespace
+
+
   Mean
   mean_over(const std::vector<double> &distance, const std::vector<double> &values, const Range &stretch)
   {
-    // round-off must not take a row at an end
-    const double from = stretch.s0 - 1e-9, to = stretch.s1 + 1e-9;
-    double       n = 0, sum = 0, squares = 0;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (distance[k] >= from && distance[k] <= to)
-        {
-          n += 1;
-          sum += values[k];
-        }
-    const double mean = n > 0 ? sum / n : std::nan("");
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (distance[k] >= from && distance[k] <= to)
-        squares += (values[k] - mean) * (values[k] - mean);
-    return {mean, n > 1 ? std::sqrt(squares / (n - 1)) : 0.};
+    const std::vector<double> rows = rows_of(distance, values, stretch).values;
+    return {rows.empty() ? std::nan("") : statistics::mean(rows),
+            rows.size() > 1 ? std::sqrt(statistics::sample_variance(rows)) : 0.};
   }
 
 
@@ -64,59 +83,22 @@ namespace wheelrail
   }
 
 
-  namespace
-  {
-    /// Slope of the least-squares line through points about their means.
-    double
-    slope_through(const std::vector<double> &x,
-                  const std::vector<double> &y,
-                  const Trend               &about,
-                  double                    &squares)
-    {
-      double products = 0;
-      squares         = 0;
-      for (std::size_t k = 0; k < x.size(); ++k)
-        {
-          const double dx = x[k] - about.middle;
-          squares += dx * dx;
-          products += dx * (y[k] - about.mean);
-        }
-      return squares > 0 ? products / squares : 0;
-    }
-
-    double
-    mean_of(const std::vector<double> &values)
-    {
-      double sum = 0;
-      for (const double value : values)
-        sum += value;
-      return sum / double(values.size());
-    }
-  } // namespace
-
-
   Trend
   trend_over(const std::vector<double> &distance,
              const std::vector<double> &values,
              const Range               &stretch,
              const double               window)
   {
-    constexpr double    most_blocks = 20, least_blocks = 4;
-    std::vector<double> x, y;
-    const double        from = stretch.s0 - 1e-9, to = stretch.s1 + 1e-9; // as in mean_over()
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (distance[k] >= from && distance[k] <= to)
-        {
-          x.push_back(distance[k]);
-          y.push_back(values[k]);
-        }
-    Trend trend;
+    constexpr double most_blocks = 20, least_blocks = 4;
+    const Rows       rows = rows_of(distance, values, stretch);
+    const auto      &x = rows.distance, &y = rows.values;
+    Trend            trend;
     if (x.empty())
       return trend;
-    double squares;
-    trend.mean   = mean_of(y);
-    trend.middle = mean_of(x);
-    trend.slope  = slope_through(x, y, trend, squares);
+    trend.mean   = statistics::mean(y);
+    trend.middle = statistics::mean(x);
+    if (x.back() > x.front()) // least squares
+      trend.slope = statistics::simple_ordinary_least_squares(x, y).second;
 
     const double blocks = std::min(most_blocks, std::floor((x.back() - x.front()) / window + 1e-6));
     if (!(blocks >= least_blocks))

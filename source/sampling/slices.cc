@@ -1,7 +1,6 @@
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/sampling/probes.h>
 #include <wheelrail/sampling/slices.h>
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/point_state.h>
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/full_element.h>
 #include <wheelrail/solid/full_points.h>
 #include <wheelrail/solid/point_state.h>

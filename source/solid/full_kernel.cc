@@ -102,65 +102,59 @@ namespace wheelrail
       return flows;
     }
 
-    /// The work of one batch.
-    template <int W, bool with_energy, typename Law>
-    inline void
-    full_batch_force(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
-    {
-      Points<W> points;
-      evaluate_points<W>(call, batch, points);
-      fetch_ahead<W>(call, batch);
-      Simd<W> viscous(0.);
-      if (call.viscosity.time_step > 0)
-        // 2. bulk viscosity
-        viscous = viscous_stress<W>(call, batch, points, energy);
-
-      Derivatives<W> N;
-      for (auto &direction : N)
-        for (auto &value : direction)
-          for (auto &component : value)
-            component = 0.;
-      Simd<W>    work(0.);
-      bool       flows  = false;
-      const bool flowed = has_history<Law> && call.blocks.flowed[batch];
-      for (int g = 0; g < 8; ++g)
-        {
-          const auto &p = points.point[g];
-          Simd<W>     S[6];
-          // 3. S_g of the law, and F_g S_g summed to nine derivatives of the shape functions. In the laws the
-          // pressure is K theta at each point, so that S_g is dpsi/dE and needs no correction for the mean.
-          flows = respond<W, with_energy>(call, batch, g, p, flowed, S, work, energy) || flows;
-          for (int k = 0; k < 3; ++k)
-            S[k] += viscous;
-          add_point_stress<W>(p, S, g, N);
-        }
-      if constexpr (has_history<Law>)
-        {
-          double *total = call.blocks.plastic_work.data() + batch * W;
-          if (flows)
-            {
-              call.blocks.flowed[batch] = 1;
-              work += Simd<W>(total, stdx::vector_aligned);
-              work.copy_to(total, stdx::vector_aligned);
-            }
-          if constexpr (with_energy)
-            energy.plastic_work += Simd<W>(total, stdx::vector_aligned);
-        }
-      Simd<W> f[8][3];
-      // 4. f_a = sum over g of w_g F_g S_g dN_a/dX, subtracted from the forces
-      nodal_forces<W>(N, f);
-      const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
-      for (int a = 0; a < 8; ++a)
-        scatter_subtract<W>(call.force, nodes + a * W, f[a]);
-    }
-
     struct FullKernel
     {
+      /// The work of one batch.
       template <int W, bool with_energy, typename Law>
       static void
       batch(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
       {
-        full_batch_force<W, with_energy>(call, batch, energy);
+        Points<W> points;
+        evaluate_points<W>(call, batch, points);
+        fetch_ahead<W>(call, batch);
+        Simd<W> viscous(0.);
+        if (call.viscosity.time_step > 0)
+          // 2. bulk viscosity
+          viscous = viscous_stress<W>(call, batch, points, energy);
+
+        Derivatives<W> N;
+        for (auto &direction : N)
+          for (auto &value : direction)
+            for (auto &component : value)
+              component = 0.;
+        Simd<W>    work(0.);
+        bool       flows  = false;
+        const bool flowed = has_history<Law> && call.blocks.flowed[batch];
+        for (int g = 0; g < 8; ++g)
+          {
+            const auto &p = points.point[g];
+            Simd<W>     S[6];
+            // 3. S_g of the law, and F_g S_g summed to nine derivatives of the shape functions. In the laws
+            // the pressure is K theta at each point, so that S_g is dpsi/dE and needs no correction for the
+            // mean.
+            flows = respond<W, with_energy>(call, batch, g, p, flowed, S, work, energy) || flows;
+            for (int k = 0; k < 3; ++k)
+              S[k] += viscous;
+            add_point_stress<W>(p, S, g, N);
+          }
+        if constexpr (has_history<Law>)
+          {
+            double *total = call.blocks.plastic_work.data() + batch * W;
+            if (flows)
+              {
+                call.blocks.flowed[batch] = 1;
+                work += Simd<W>(total, stdx::vector_aligned);
+                work.copy_to(total, stdx::vector_aligned);
+              }
+            if constexpr (with_energy)
+              energy.plastic_work += Simd<W>(total, stdx::vector_aligned);
+          }
+        Simd<W> f[8][3];
+        // 4. f_a = sum over g of w_g F_g S_g dN_a/dX, subtracted from the forces
+        nodal_forces<W>(N, f);
+        const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
+        for (int a = 0; a < 8; ++a)
+          scatter_subtract<W>(call.force, nodes + a * W, f[a]);
       }
     };
   } // namespace

@@ -1,4 +1,3 @@
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/full_element.h>
 #include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/reduced_kernel.h>

@@ -119,49 +119,42 @@ namespace wheelrail
       extra.copy_to(old + W, stdx::vector_aligned);
     }
 
-    /// The work of one batch.
-    template <int W, bool with_energy, typename Law>
-    inline void
-    batch_force(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
-    {
-      const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
-      const Packed<W>      g{call.blocks.data.data() + batch * ElementBlocks::fields * W};
-
-      V3<W> u[8];
-      for (int a = 0; a < 8; ++a)
-        gather<W>(call.displacement, nodes + a * W, u[a]);
-      V3<W> H[3], F[3], q[4], FA[3], p[4];
-      // 1. H = sum u_a (x) B_a, q_m = sum h_m(a) u_a - H (h_m X) (doc/theory/element.md, Uniform gradients,
-      // Stabilisation)
-      gradients<W>(g, u, H, q);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          F[i][j] = i == j ? H[i][j] + 1. : H[i][j];
-      Simd<W> E[6], S[6];
-      // 2. E = (H + H' + H' H)/2 and p_m = (F A)' q_m, which a rotation leaves alone
-      green_strain<W>(H, E);
-      hourglass_amplitudes<W>(g, F, q, FA, p);
-
-      V3<W> P[3], Q[4], G[4];
-      // 3. S of the law, Q_m = dW/dp_m, both returned to one yield surface
-      cell_response<W, with_energy>(call, batch, g, E, p, S, Q, energy);
-      if (call.viscosity.time_step > 0)
-        add_viscosity<W>(call, batch, g, E, S, energy);
-      // 4. the exact gradient of the energy: P = V F S + sum (q_m (x) A Q_m - G_m (x) h_m X), G_m = F A Q_m,
-      // f_a = P B_a + sum h_m(a) G_m (doc/theory/element.md, Forces)
-      force_of_stress<W>(g, F, S, P);
-      fetch_ahead<W>(call, batch);
-      hourglass_forces<W>(g, FA, q, Q, P, G);
-      apply_forces<W>(g, nodes, P, G, call.force);
-    }
-
     struct ReducedKernel
     {
+      /// The work of one batch.
       template <int W, bool with_energy, typename Law>
       static void
       batch(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
       {
-        batch_force<W, with_energy>(call, batch, energy);
+        const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
+        const Packed<W>      g{call.blocks.data.data() + batch * ElementBlocks::fields * W};
+
+        V3<W> u[8];
+        for (int a = 0; a < 8; ++a)
+          gather<W>(call.displacement, nodes + a * W, u[a]);
+        V3<W> H[3], F[3], q[4], FA[3], p[4];
+        // 1. H = sum u_a (x) B_a, q_m = sum h_m(a) u_a - H (h_m X) (doc/theory/element.md, Uniform gradients,
+        // Stabilisation)
+        gradients<W>(g, u, H, q);
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            F[i][j] = i == j ? H[i][j] + 1. : H[i][j];
+        Simd<W> E[6], S[6];
+        // 2. E = (H + H' + H' H)/2 and p_m = (F A)' q_m, which a rotation leaves alone
+        green_strain<W>(H, E);
+        hourglass_amplitudes<W>(g, F, q, FA, p);
+
+        V3<W> P[3], Q[4], G[4];
+        // 3. S of the law, Q_m = dW/dp_m, both returned to one yield surface
+        cell_response<W, with_energy>(call, batch, g, E, p, S, Q, energy);
+        if (call.viscosity.time_step > 0)
+          add_viscosity<W>(call, batch, g, E, S, energy);
+        // 4. the exact gradient of the energy: P = V F S + sum (q_m (x) A Q_m - G_m (x) h_m X), G_m = F A
+        // Q_m, f_a = P B_a + sum h_m(a) G_m (doc/theory/element.md, Forces)
+        force_of_stress<W>(g, F, S, P);
+        fetch_ahead<W>(call, batch);
+        hourglass_forces<W>(g, FA, q, Q, P, G);
+        apply_forces<W>(g, nodes, P, G, call.force);
       }
     };
   } // namespace

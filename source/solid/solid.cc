@@ -1,4 +1,5 @@
-#include <wheelrail/base/gather_all.h>
+#include <deal.II/base/mpi.h>
+
 #include <wheelrail/solid/solid.h>
 
 #include <algorithm>
@@ -153,7 +154,7 @@ namespace wheelrail
               }
           }
       stable.step    = stable_step(largest, coefficient);
-      const auto all = gather_values(stable, communicator);
+      const auto all = dealii::Utilities::MPI::all_gather(communicator, stable);
       return *std::min_element(
         all.begin(), all.end(), [](const StableStep &a, const StableStep &b) { return a.step < b.step; });
     }

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/state/checkpoint.h>
 
 #include <deal.II/base/mpi.h>
@@ -27,49 +28,28 @@ namespace wheelrail
 
     // --- all ranks ---
 
-    /// The values of all ranks one after the other, on rank 0.
-    template <typename T>
-    std::vector<T>
-    gather(const std::vector<T> &own, const MPI_Datatype type, MPI_Comm communicator)
-    {
-      int rank, size;
-      MPI_Comm_rank(communicator, &rank);
-      MPI_Comm_size(communicator, &size);
-      const int        n = static_cast<int>(own.size());
-      std::vector<int> counts(size), begin(size, 0);
-      MPI_Gather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, communicator);
-      for (int r = 1; r < size; ++r)
-        begin[r] = begin[r - 1] + counts[r - 1];
-      std::vector<T> all(rank == 0 ? begin.back() + counts.back() : 0);
-      MPI_Gatherv(own.data(), n, type, all.data(), counts.data(), begin.data(), type, 0, communicator);
-      return all;
-    }
-
-    /// Rows of all ranks in the order of their keys, which are put into this order, too; on rank 0.
+    /// Puts the rows of all ranks in the place of a rank's own, in the order of their keys; on rank 0.
     void
-    gather_rows(const std::vector<std::uint64_t>            &part_keys,
-                const std::map<std::string, NumberedValues> &parts,
-                std::vector<std::uint64_t>                  &keys,
-                std::map<std::string, NumberedValues>       &whole,
-                MPI_Comm                                     communicator)
+    gather_rows(std::vector<std::uint64_t>            &keys,
+                std::map<std::string, NumberedValues> &rows,
+                MPI_Comm                               communicator)
     {
-      const auto               unordered = gather(part_keys, MPI_UINT64_T, communicator);
+      const auto               unordered = gather_on_root(keys, communicator);
       std::vector<std::size_t> order(unordered.size());
       std::iota(order.begin(), order.end(), 0);
       std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
         return unordered[a] < unordered[b];
       });
+      keys.clear();
       for (const std::size_t k : order)
         keys.push_back(unordered[k]);
-      for (const auto &[name, part] : parts)
+      for (auto &[name, part] : rows)
         {
-          const auto      all    = gather(part.values, MPI_DOUBLE, communicator);
-          NumberedValues &values = whole[name];
-          values.components      = part.components;
+          const auto all = gather_on_root(part.values, communicator);
+          part.values.clear();
           for (const std::size_t k : order)
-            values.values.insert(values.values.end(),
-                                 all.begin() + part.components * k,
-                                 all.begin() + part.components * (k + 1));
+            part.values.insert(
+              part.values.end(), all.begin() + part.components * k, all.begin() + part.components * (k + 1));
         }
     }
 
@@ -141,38 +121,19 @@ namespace wheelrail
 
 
   Checkpoint
-  gather_checkpoint(const Checkpoint &part, MPI_Comm communicator)
+  gather_checkpoint(Checkpoint part, MPI_Comm communicator)
   {
-    int rank;
-    MPI_Comm_rank(communicator, &rank);
-    Checkpoint whole;
-    gather_rows(part.node, part.node_values, whole.node, whole.node_values, communicator);
-    gather_rows(part.cell, part.cell_values, whole.cell, whole.cell_values, communicator);
-    for (const auto &[name, work] : part.works)
-      whole.works[name] = gather(work, MPI_DOUBLE, communicator);
-    std::map<std::string, PartState> parts = part.rolling.parts;
-    for (auto &[name, state] : parts)
+    gather_rows(part.node, part.node_values, communicator);
+    gather_rows(part.cell, part.cell_values, communicator);
+    for (auto &[name, work] : part.works)
+      work = gather_on_root(work, communicator);
+    for (auto &[name, state] : part.rolling.parts)
       {
-        state.nodes  = gather(state.nodes, MPI_UINT64_T, communicator);
-        state.values = gather(state.values, MPI_DOUBLE, communicator);
+        state.nodes  = gather_on_root(state.nodes, communicator);
+        state.values = gather_on_root(state.values, communicator);
       }
-    if (rank > 0)
-      return {};
-    MPI_Comm_size(communicator, &whole.ranks);
-    whole.parameters        = part.parameters;
-    whole.wall_time         = part.wall_time;
-    whole.ticks             = part.ticks;
-    whole.time_step         = part.time_step;
-    whole.prepared_distance = part.prepared_distance;
-    whole.longest_distance  = part.longest_distance;
-    whole.fine_margin       = part.fine_margin;
-    whole.window            = part.window;
-    whole.start_block       = part.start_block;
-    whole.contact           = part.contact;
-    whole.rolling           = part.rolling;
-    whole.rolling.parts     = std::move(parts);
-    whole.recorder          = part.recorder;
-    return whole;
+    part.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    return dealii::Utilities::MPI::this_mpi_process(communicator) == 0 ? std::move(part) : Checkpoint();
   }
 
 

@@ -6,7 +6,7 @@
 #include <wheelrail/solid/transfer.h>
 #include <wheelrail/state/checkpoint_checks.h>
 #include <wheelrail/state/rail_state.h>
-#include <wheelrail/wheelset/wheel_axes.h>
+#include <wheelrail/wheelset/axle.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -60,7 +60,7 @@ namespace wheelrail
     Checkpoint part        = take_checkpoint(run.model, run.rolling, run.recorder);
     part.parameters        = parameters;
     part.fine_margin       = run.scene.fine_margin;
-    const Checkpoint whole = gather_checkpoint(part, run.communicator);
+    const Checkpoint whole = gather_checkpoint(std::move(part), run.communicator);
     on_root(run.communicator, [&]() {
       const std::vector<char> bytes = checkpoint_bytes(whole);
       replace_file(run.scene.folder + file_name, bytes.data(), bytes.size());

@@ -2,7 +2,7 @@
 #include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/static_system.h>
 #include <wheelrail/statics/unloading.h>
-#include <wheelrail/wheelset/wheel_axes.h>
+#include <wheelrail/wheelset/axle.h>
 
 #include <string>
 

@@ -1,8 +1,7 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/file_kind.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
-#include <wheelrail/base/shown_text.h>
 #include <wheelrail/tables/table.h>
 #include <wheelrail/tables/table_head.h>
 #include <wheelrail/tables/text_rows.h>

@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/line_ends.h>
-#include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <wheelrail/model/rail_support.h>
+#include <wheelrail/model/scene_parts.h>
 #include <wheelrail/track/damped_ends.h>
 #include <wheelrail/track/scene_track.h>
 

@@ -1,8 +1,7 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/progress.h>
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/shift_effect.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/commands/row_verdicts.h>
 #include <wheelrail/input/listing.h>

@@ -1,4 +1,4 @@
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/vehicle/vehicle_table.h>
 #include <wheelrail/vehicle/wheelset_figures.h>

@@ -1,7 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/parallel.h>
-#include <wheelrail/base/split_list.h>
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/shift_effect.h>
 #include <wheelrail/commands/halfspace_results.h>

@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/wheelset_checks.h>
 #include <wheelrail/scene/one_wheel.h>
 #include <wheelrail/vehicle/pair_root.h>

@@ -1,5 +1,4 @@
 #include <wheelrail/base/format_text.h>
-#include <wheelrail/base/split_list.h>
 #include <wheelrail/vehicle/wheelset_figures.h>
 #include <wheelrail/verdict/interval.h>
 #include <wheelrail/verdict/verdict.h>

@@ -115,4 +115,16 @@ namespace wheelrail
     point.slice.wheel_angle = wheel_angle / sum; // the plane of the patch is that of its mean angle
     return reference_at(sections, point, wheelset_forces(sections, means, solution), motion, solution);
   }
+
+
+  void
+  set_reference_figures(const ContactReference &at, const bool determined, Summary &summary)
+  {
+    const double of_motion = determined ? 1 : Summary::none;
+    set_figure(summary, "reference_ahead_of_axle_m", at.ahead);
+    set_figure(summary, "reference_angle_rad", at.angle);
+    set_figure(summary, "reference_creepage", of_motion * at.creepage);
+    set_figure(summary, "reference_lateral_creepage", of_motion * at.lateral_creepage);
+    set_figure(summary, "reference_spin_per_m", of_motion * at.spin);
+  }
 } // namespace wheelrail

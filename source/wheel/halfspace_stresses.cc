@@ -1,5 +1,5 @@
 #include <wheelrail/halfspace/subsurface_layers.h>
-#include <wheelrail/solid/cauchy.h>
+#include <wheelrail/solid/point_state.h>
 #include <wheelrail/wheel/halfspace_stresses.h>
 
 #include <algorithm>

@@ -1,16 +1,16 @@
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/damage/wear_figures.h>
-#include <wheelrail/geometry/head_place.h>
+#include <wheelrail/geometry/track.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/rules.h>
 #include <wheelrail/wheel/contact_intervals.h>
+#include <wheelrail/wheel/contact_reference.h>
 #include <wheelrail/wheel/halfspace_case.h>
 #include <wheelrail/wheel/halfspace_parts.h>
 #include <wheelrail/wheel/patch_verdict.h>
-#include <wheelrail/wheel/reference_figures.h>
 #include <wheelrail/wheel/several_patches.h>
 
 #include <algorithm>
@@ -91,17 +91,13 @@ namespace wheelrail
       set_figure(summary, "creepage_work_N", determined || at_rest ? s.creepage_work : Summary::none);
       set_figure(summary, "friction_work_N", determined || at_rest ? s.friction_work : Summary::none);
       set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
-      const WearProfile wear = halfspace_wear(result.problem, result.solution, scene.velocity, scene.wear);
-      WornContact       worn;
-      worn.wear             = determined || at_rest ? &wear : nullptr;
-      worn.normal_force     = s.fn;
-      worn.tangential_force = std::hypot(s.fx, s.fy);
-      worn.peak_pressure    = s.peak_pressure;
-      worn.area             = result.measures.area;
-      worn.t_gamma          = t_gamma;
-      worn.velocity         = scene.velocity;
-      worn.yield_stress     = yield_strength(scene.rail_material);
-      set_wear_figures(worn, scene.wear, summary);
+      set_wear_figures(determined || at_rest
+                         ? halfspace_wear(result.problem, result.solution, scene.velocity, scene.wear)
+                         : WearProfile(),
+                       std::hypot(s.fx, s.fy),
+                       yield_strength(scene.rail_material),
+                       scene.wear,
+                       summary);
       summary.finished    = s.converged() && !s.touches_grid_edge;
       summary.stop_reason = s.not_reached;
       if (scene.drive == Drive::torque && scene.friction.at(0) > 0)

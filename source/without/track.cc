@@ -1,5 +1,5 @@
 #include <wheelrail/base/left_out.h>
-#include <wheelrail/model/rail_support.h>
+#include <wheelrail/model/scene_parts.h>
 #include <wheelrail/receptance/receptance_command.h>
 #include <wheelrail/run/run_resonances.h>
 

@@ -253,7 +253,7 @@ namespace scenes
           }
       else
         {
-          const Vector3 arm = rotated(rigid_[k] - centre, {1, 0, 0}, wheel.angle);
+          const Vector3 arm = Rotation({1, 0, 0}, wheel.angle)(rigid_[k] - centre);
           const Vector3 u   = centre + wheel.move + arm - rigid_[k];
           const Vector3 v   = wheel.velocity + wheel.rate * cross({1, 0, 0}, arm);
           for (int i = 0; i < 3; ++i)

@@ -1,8 +1,8 @@
 #include "hertz_scene.h"
 
 #include <wheelrail/sampling/patch_measures.h>
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/kernel.h>
+#include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>

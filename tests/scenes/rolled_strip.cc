@@ -1,4 +1,3 @@
-#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/kernel.h>
 #include <wheelrail/solid/point_state.h>
 

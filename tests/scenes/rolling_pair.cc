@@ -68,7 +68,7 @@ namespace scenes
         // sin(h)/h and (1 - cos(h))/h without dividing by nothing
         const double  ahead = heading == 0 ? way : std::sin(heading) / setup.spin;
         const double  aside = heading == 0 ? 0 : (1 - std::cos(heading)) / setup.spin;
-        const Vector3 arm   = rotated(rotated(X - centre, {1, 0, 0}, turned), {0, 1, 0}, heading);
+        const Vector3 arm   = Rotation({0, 1, 0}, heading)(Rotation({1, 0, 0}, turned)(X - centre));
         return centre + Vector3{aside + setup.lateral_creepage * way, height(way), ahead} + arm;
       }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mpi.h>
+#include <deal.II/base/mpi.h>
 
 #include <iterator>
 #include <type_traits>
@@ -8,19 +8,6 @@
 
 namespace wheelrail
 {
-  /// The values of all ranks. Plain data only: bytes are sent. One collective call.
-  template <typename T>
-  std::vector<T>
-  gather_values(const T &own, MPI_Comm communicator)
-  {
-    static_assert(std::is_trivially_copyable<T>::value, "bytes are sent");
-    int size;
-    MPI_Comm_size(communicator, &size);
-    std::vector<T> all(size);
-    MPI_Allgather(&own, sizeof(T), MPI_BYTE, all.data(), sizeof(T), MPI_BYTE, communicator);
-    return all;
-  }
-
   /// The parts of all ranks, one after the other; `counts`: their sizes. One collective call.
   template <typename T>
   std::vector<T>
@@ -44,7 +31,30 @@ namespace wheelrail
   std::vector<T>
   gather_all(const std::vector<T> &own, MPI_Comm communicator)
   {
-    return gather_all(own, gather_values(static_cast<int>(own.size()), communicator), communicator);
+    return gather_all(
+      own, dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(own.size())), communicator);
+  }
+
+  /// The parts of all ranks, one after the other, on rank 0; nothing elsewhere. deal.II's gather() compresses
+  /// what it sends, which takes longer than sending it. Collective.
+  template <typename Values>
+  Values
+  gather_on_root(const Values &own, MPI_Comm communicator)
+  {
+    using T = typename Values::value_type;
+    static_assert(std::is_trivially_copyable<T>::value, "bytes are sent");
+    const std::vector<int> counts =
+      dealii::Utilities::MPI::gather(communicator, static_cast<int>(own.size()));
+    std::vector<int> begin = {0};
+    for (const int count : counts)
+      begin.push_back(begin.back() + count);
+    Values       all(begin.back(), T());
+    MPI_Datatype type;
+    MPI_Type_contiguous(sizeof(T), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    MPI_Gatherv(own.data(), own.size(), type, all.data(), counts.data(), begin.data(), type, 0, communicator);
+    MPI_Type_free(&type);
+    return all;
   }
 
   /// Sums over ranks in the order of the ranks, so that all of them get the same bits. Collective.

@@ -59,4 +59,11 @@ namespace wheelrail
   /// "45 s", "3 min 20 s", "2 h 5 min"; "?" for what is not a positive number.
   std::string
   format_duration(double seconds);
+
+  /// Writes `text` into an open file, such as STDOUT_FILENO, with one call of write() for each of its lines:
+  /// where errors and output, or several processes, share a file or a pipe, their lines follow each other
+  /// whole. What std::cout still holds is written before. A file that takes nothing (a closed pipe, a full
+  /// disk) is no fault.
+  void
+  print(int file, const std::string &text);
 } // namespace wheelrail

@@ -81,11 +81,4 @@ namespace wheelrail
     Vector3 axis_;
     double  cosine_, sine_;
   };
-
-  /// v turned by `angle` [rad] about the unit vector `axis`.
-  inline Vector3
-  rotated(const Vector3 &v, const Vector3 &axis, const double angle)
-  {
-    return Rotation(axis, angle)(v);
-  }
 } // namespace wheelrail

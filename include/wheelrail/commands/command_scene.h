@@ -2,7 +2,7 @@
 
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/model/wheelset_profiles.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 #include <boost/program_options.hpp>

@@ -2,8 +2,10 @@
 
 #include <wheelrail/contactfiles/contact_case.h>
 #include <wheelrail/geometry/plane.h>
+#include <wheelrail/sections/sections_surface.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -93,4 +95,13 @@ namespace wheelrail
   /// Reads the profile that a line of an input file names. Throws InputError for what cannot be read.
   ProfileLine
   section_line(const ContactProfile &profile, bool wheel);
+
+  /// The surface of the slices that a line of an input file names, of a rail or a wheel, mirrored and scaled
+  /// as the line says. Throws InputError for what cannot be read.
+  std::shared_ptr<const SectionsSurface>
+  contact_slices(const ContactProfile &profile, bool wheel);
+
+  /// Its section at a place [m] or an angle [rad]. Throws InputError where there is none.
+  ProfileLine
+  section_at(const SectionsSurface &slices, double place, bool wheel = false);
 } // namespace wheelrail

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,15 +63,12 @@ namespace wheelrail
   /// All irregularities of a body.
   using Irregularities = std::vector<Irregularity>;
 
-  /// Their sum at a place. A wheel is closed: `circumference` [m] on the rolling circle; 0 for a rail.
+  /// Their sum at a place, of all or of those alone that are carried by `carried`. A wheel is closed:
+  /// `circumference` [m] on the rolling circle; 0 for a rail.
   IrregularHeight
-  height_at(const Irregularities &irregularities, double circumference, double across, double along);
-
-  /// The same of those alone that are carried by `carried`.
-  IrregularHeight
-  height_at(const Irregularities &irregularities,
-            CarriedBy             carried,
-            double                circumference,
-            double                across,
-            double                along);
+  height_at(const Irregularities    &irregularities,
+            double                   circumference,
+            double                   across,
+            double                   along,
+            std::optional<CarriedBy> carried = {});
 } // namespace wheelrail

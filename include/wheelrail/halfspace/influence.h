@@ -7,6 +7,7 @@
 #include <array>
 #include <complex>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace wheelrail
@@ -114,4 +115,13 @@ namespace wheelrail
                         const InfluenceProducts          &products,
                         double                            ahead,
                         const std::vector<InfluencePair> &pairs);
+
+  /// FFTW makes and destroys plans on one thread at a time; executing them is free. To be held by all that
+  /// does so where several rows are solved at once.
+  inline std::mutex &
+  fft_planning()
+  {
+    static std::mutex planning;
+    return planning;
+  }
 } // namespace wheelrail

@@ -242,13 +242,7 @@ namespace wheelrail
   void
   check_problem(const HalfspaceProblem &problem);
 
-  /// Undeformed distance x^2 / (2 rx) + y^2 / (2 ry) [m] at the element centres; rx, ry are the relative
-  /// radii of curvature [m] (1 / r = 1 / r1 + 1 / r2); infinity or a negative radius is allowed in one
-  /// direction.
-  std::vector<double>
-  quadratic_distance(const HalfspaceGrid &grid, double rx, double ry);
-
-  /// The same for any function h(x, y) [m].
+  /// An undeformed distance h(x, y) [m] at the element centres.
   std::vector<double>
   sampled_distance(const HalfspaceGrid &grid, const std::function<double(double, double)> &h);
 } // namespace wheelrail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/halfspace/problem.h>
 #include <wheelrail/halfspace/slip_kernels.h>
 
 #include <array>
@@ -60,4 +61,9 @@ namespace wheelrail
   /// returned keep |t| <= bound.
   void
   solve_tangential(InfluenceProducts &products, const TangentialTask &task, TangentialState &state);
+
+  /// The elements that run into a contact with these pressures [Pa] within a `step` of several elements [m];
+  /// none where a step is one element, and in a shift.
+  std::vector<RunIn>
+  elements_run_in(const HalfspaceProblem &problem, double step, const std::vector<double> &pressure);
 } // namespace wheelrail

@@ -3,6 +3,7 @@
 #include <wheelrail/geometry/irregularity.h>
 #include <wheelrail/geometry/touching_profiles.h>
 #include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/scene/scene.h>
 
 #include <string>
 #include <utility>
@@ -37,4 +38,12 @@ namespace wheelrail
                     double                    start,
                     const std::string        &rail,
                     std::vector<std::string> &notes);
+
+  /// How the surface of two rails beside each other (CrossingSurface) rises over its own section at the start
+  /// of the path, along the normal of that section. Arguments as those of rise_of_slices().
+  Irregularities
+  rise_of_crossing(const Scene              &scene,
+                   const TouchingProfiles   &profiles,
+                   double                    start,
+                   std::vector<std::string> &notes);
 } // namespace wheelrail

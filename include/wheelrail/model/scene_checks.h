@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/base/machine.h>
+#include <wheelrail/base/parallel.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/scene_geometry.h>

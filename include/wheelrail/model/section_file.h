@@ -1,7 +1,7 @@
 #pragma once
 
-#include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/geometry/track.h>
 #include <wheelrail/output/summary.h>
 
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/geometry/frame_profile.h>
 #include <wheelrail/output/fields.h>
 #include <wheelrail/output/summary.h>
 
@@ -15,4 +16,10 @@ namespace wheelrail
   /// of the axle box upwards and downwards where the history has them.
   void
   add_impact_figures(const History &history, double load, Summary &summary);
+
+  /// Adds what a rail on pads is asked for, from the history, where this has it: the deflection of its foot,
+  /// mean over `stretch` of rolled distance [m], and of the whole path the largest force and the largest pull
+  /// of a pad.
+  void
+  add_track_figures(const History &history, const Range &stretch, Summary &summary);
 } // namespace wheelrail

@@ -7,7 +7,6 @@
 #include <wheelrail/scene/irregularity_data.h>
 #include <wheelrail/scene/material_test.h>
 #include <wheelrail/scene/mesh_settings.h>
-#include <wheelrail/scene/output_settings.h>
 #include <wheelrail/scene/profile_settings.h>
 #include <wheelrail/scene/run_settings.h>
 #include <wheelrail/scene/steel_settings.h>

@@ -2,6 +2,7 @@
 
 #include <wheelrail/base/body.h>
 #include <wheelrail/solid/element_blocks.h>
+#include <wheelrail/solid/solid.h>
 
 #include <vector>
 
@@ -37,5 +38,37 @@ namespace wheelrail
       std::vector<unsigned char> flowed;
     };
     PerBody<Flow> kept_;
+  };
+
+  /// Gives a solid its displacement and its flow back at its end, whatever happens; the mesh must be the same
+  /// then.
+  class KeptState
+  {
+  public:
+    explicit KeptState(Solid &solid)
+      : solid_(solid)
+      , displacement_(solid.displacement)
+      , flow_(solid.blocks)
+    {
+    }
+    ~KeptState()
+    {
+      solid_.displacement = displacement_;
+      flow_.restore(solid_.blocks);
+    }
+    KeptState(const KeptState &) = delete;
+    KeptState &
+    operator=(const KeptState &) = delete;
+
+    const SavedPlasticState &
+    flow() const
+    {
+      return flow_;
+    }
+
+  private:
+    Solid                      &solid_;
+    const AlignedVector<double> displacement_;
+    const SavedPlasticState     flow_;
   };
 } // namespace wheelrail

@@ -61,7 +61,7 @@ namespace wheelrail
 
   /// The parts of all ranks together, on rank 0; an empty one on the others. Collective.
   Checkpoint
-  gather_checkpoint(const Checkpoint &part, MPI_Comm communicator);
+  gather_checkpoint(Checkpoint part, MPI_Comm communicator);
 
   /// A whole checkpoint that rank 0 has, on all ranks but for the rows of nodes and cells, which rank 0 keeps
   /// for restore_bodies(). Collective.

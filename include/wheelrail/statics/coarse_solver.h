@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/solid/element_blocks.h>
-#include <wheelrail/statics/static_ground.h>
+#include <wheelrail/statics/static_springs.h>
 
 #include <array>
 #include <cstdint>

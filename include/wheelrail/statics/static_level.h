@@ -5,7 +5,7 @@
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/solid.h>
 #include <wheelrail/statics/band_cholesky.h>
-#include <wheelrail/statics/static_ground.h>
+#include <wheelrail/statics/static_springs.h>
 
 #include <vector>
 

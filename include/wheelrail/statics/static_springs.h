@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/simd.h>
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/mesh/coarse_levels.h>
@@ -93,5 +94,12 @@ namespace wheelrail
     std::vector<double>       stiffness_;
     std::vector<Part>         parts_;
     std::vector<unsigned int> local_;
+  };
+
+  /// What holds the bodies of a static solution to the ground, on one mesh.
+  struct StaticGround
+  {
+    AlignedVector<double> springs; ///< along the axes of the nodes, 4 numbers each [N/m], or empty
+    StaticSprings         joined;  ///< what unknowns of parts take off them
   };
 } // namespace wheelrail

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <wheelrail/solid/kept_state.h>
 #include <wheelrail/solid/part.h>
+#include <wheelrail/solid/saved_plastic_state.h>
 #include <wheelrail/solid/solid.h>
 #include <wheelrail/wheelset/axle.h>
 

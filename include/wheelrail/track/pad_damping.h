@@ -37,9 +37,6 @@ namespace wheelrail
   /// Lowest and highest frequency between which constant_loss() keeps its loss factor [Hz].
   constexpr double constant_loss_from = 100, constant_loss_to = 2000;
 
-  /// Largest loss factor that constant_loss() keeps to 4 %.
-  constexpr double most_constant_loss = 0.5;
-
   /// Three branches that keep the loss factor constant: relaxation at 83, 500 and 3000 Hz, shares by least
   /// squares of Im - loss factor x Re. Causality (Kramers 1927, Kronig 1926) then stiffens the spring with
   /// frequency: with 0.25 by 18 % from 449 to 1261 Hz.

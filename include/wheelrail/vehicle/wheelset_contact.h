@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/model/wheelset_profiles.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/curve_loads.h>
 #include <wheelrail/vehicle/axle_contact.h>
 

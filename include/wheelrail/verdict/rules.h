@@ -12,8 +12,7 @@ namespace wheelrail
     double good, fair;
   };
 
-  constexpr GradeBounds peak_bounds{0.05, 0.1}; ///< of peak pressure against what judges it
-  constexpr double      most_turn = 0.2;        ///< of surfaces that half-spaces stand for [rad]
+  constexpr double most_turn = 0.2; ///< of surfaces that half-spaces stand for [rad]
 
   /// The grade of a measure that should be small; one that is no number is not trusted.
   Grade

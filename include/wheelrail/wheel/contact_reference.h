@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/halfspace/problem.h>
+#include <wheelrail/output/summary.h>
 #include <wheelrail/planes/contact_sections.h>
 
 #include <vector>
@@ -81,4 +82,9 @@ namespace wheelrail
                     const PressureMeans     &means,
                     const WheelMotion       &motion,
                     const HalfspaceSolution &solution);
+
+  /// Adds the place of a reference point ahead of the axle, its angle, and creepages and spin there; NaN in
+  /// their place where they are not `determined`.
+  void
+  set_reference_figures(const ContactReference &at, bool determined, Summary &summary);
 } // namespace wheelrail

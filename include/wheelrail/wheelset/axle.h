@@ -1,10 +1,13 @@
 #pragma once
 
+#include <wheelrail/base/vector3.h>
 #include <wheelrail/solid/part.h>
+#include <wheelrail/solid/solid.h>
 #include <wheelrail/wheelset/guided_path.h>
 
 #include <mpi.h>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -252,5 +255,25 @@ namespace wheelrail
     AxleEnergy                work_;
     Terms                     terms_;
     MPI_Comm                  communicator_;
+  };
+
+  /// Changes the displacements of the wheel between those in the track's axes and those in the axes that
+  /// travel and turn with the axle.
+  class WheelAxes
+  {
+  public:
+    explicit WheelAxes(const Axle &axle);
+
+    void
+    to_wheel(Solid &solid) const;
+
+    void
+    to_track(Solid &solid) const;
+
+  private:
+    void
+    change(Solid &solid, const std::function<Vector3(const Vector3 &)> &move) const;
+
+    Axle::Motion motion_;
   };
 } // namespace wheelrail
