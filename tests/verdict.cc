@@ -320,6 +320,8 @@ namespace
     m.cells = 9.5;
     holds(
       judge_run(Scene(), m).doubts(), "about 26 % below that of the steel", "plastic strain on 9.5 cells");
+    m.cells = 2;
+    holds(judge_run(Scene(), m).doubts(), " mm, far below that of the steel", "plastic strain on 2 cells");
     m        = good();
     m.yields = "this steel yields.";
     check(judge_run(Scene(), m).grade() == Grade::with_care, "a run is then with care");

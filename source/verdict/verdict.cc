@@ -73,8 +73,9 @@ namespace wheelrail
       if (const double loss = 2.5 / m.cells; m.has_yielded() && loss > most_strain_loss)
         add(verdict,
             Grade::with_care,
-            "the largest plastic strain is that of cells of " + in_mm(scene.cell_size) + ", about " +
-              text("%.0f %%", 100 * loss) + " below that of the steel; take smaller cells.");
+            "the largest plastic strain is that of cells of " + in_mm(scene.cell_size) +
+              (loss < 0.5 ? text(", about %.0f %%", 100 * loss) : ", far") +
+              " below that of the steel; take smaller cells.");
     }
 
     /// Contact that the run cannot have, since its solution cells end before it.
