@@ -51,13 +51,14 @@ function domain(k, n) {
 
 function tickOf(source, number) { return source.ticks[Math.min(number, source.ticks.length - 1)]; }
 
-// the patches with some room around their edges
+// the patches with some room around their edges, in which the blocks of the nodes around them lie as a whole
 function limits(ticks) {
-  const ends = k => {
-    const values = ticks.flatMap(t => t.edge[k].filter(v => v !== null)), low = Math.min(...values), high = Math.max(...values), room = 0.05 * (high - low);
+  const ends = (k, places) => {
+    const values = ticks.flatMap(t => t.edge[k].filter(v => v !== null)), low = Math.min(...values), high = Math.max(...values);
+    const room = Math.max(0.05 * (high - low), ...ticks.map(t => 1.5 * Math.abs(t[places][1] - t[places][0])));
     return [low - room, high + room];
   };
-  return {s: ends(0).reverse(), along: ends(1)};
+  return {s: ends(0, "s").reverse(), along: ends(1, "along")};
 }
 
 function scaleOf(field) {
