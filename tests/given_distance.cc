@@ -5,7 +5,6 @@
 #include "check.h"
 #include "messages.h"
 
-#include <wheelrail/wheel/distance_file.h>
 #include <wheelrail/wheel/given_distance.h>
 
 #include <cmath>

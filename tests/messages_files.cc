@@ -17,7 +17,7 @@
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/statics/static_start.h>
-#include <wheelrail/wheel/distance_file.h>
+#include <wheelrail/wheel/given_distance.h>
 
 #include <deal.II/base/mpi.h>
 

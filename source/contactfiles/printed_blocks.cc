@@ -245,6 +245,20 @@ namespace wheelrail
       return lines + wheelset_lines(w, solved, roller);
     }
 
+    /// Digits, kind of problem, materials and friction.
+    std::string
+    laws(const ContactCase &one)
+    {
+      std::string lines = digits(one) + problem_lines(one) + "\n";
+      if (one.written.influence >= 2)
+        lines += materials(one);
+      if (one.written.heat == 3)
+        lines += heat(one);
+      if (one.written.law != 1 && one.digits.motion != 0)
+        lines += friction(one);
+      return lines;
+    }
+
     std::string
     wheel_rail_blocks(const ContactCase &one, const WheelRailCase &solved)
     {
@@ -254,13 +268,7 @@ namespace wheelrail
                                one.digits.side == 0 || one.digits.side == 4 ? "LEFT" : "RIGHT",
                                n,
                                n == 1 ? "PATCH" : "PATCHES") +
-                          digits(one) + problem_lines(one) + "\n";
-      if (one.written.influence >= 2)
-        lines += materials(one);
-      if (one.written.heat == 3)
-        lines += heat(one);
-      if (one.written.law != 1 && one.digits.motion != 0)
-        lines += friction(one);
+                          laws(one);
       lines += wheel_rail_head(one, solved);
       const Vector3 &t = solved.force_track, &w = solved.force_wheelset;
       lines += printed_block(one.digits.side >= 4 ? "TOTAL FORCES ON ROLLER" : "TOTAL FORCES ON RAIL",
@@ -277,15 +285,9 @@ namespace wheelrail
       const ControlDigits     &d     = one.digits;
       const HalfspaceSolution &s     = solved.solution;
       const ContactKinematics &k     = one.kinematics;
-      std::string              lines = "\n" + digits(one) + problem_lines(one) + "\n";
-      if (one.written.influence >= 2)
-        lines += materials(one);
-      if (one.written.heat == 3)
-        lines += heat(one);
-      if (one.written.law != 1 && d.motion != 0)
-        lines += friction(one);
-      const bool   shift = d.motion == 1;
-      const double step  = s.step > 0 ? s.step : s.grid.dx;
+      std::string              lines = "\n" + laws(one);
+      const bool               shift = d.motion == 1;
+      const double             step  = s.step > 0 ? s.step : s.grid.dx;
       if (d.motion != 0)
         {
           const std::string x = d.forces >= 1 ? "FX/FSTAT/FN " : "  CKSI      ",
