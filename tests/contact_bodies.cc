@@ -6,8 +6,8 @@
 
 #include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/contactfiles/case_bodies.h>
-#include <wheelrail/contactfiles/wheel_rail_input.h>
 #include <wheelrail/contactfiles/inp_file.h>
+#include <wheelrail/contactfiles/wheel_rail_input.h>
 
 #include <cmath>
 #include <fstream>
