@@ -89,6 +89,16 @@ namespace
     check(std::abs(spinning.solution.fy) > 1e3, "spin makes a lateral force");
   }
 
+  /// Of an interval that holds what is true, over it.
+  double
+  width(const Summary &summary, const std::string &before, const std::string &unit, const double truth)
+  {
+    const double low  = get_figure(summary, before + "_low" + unit),
+                 high = get_figure(summary, before + "_high" + unit);
+    check(low <= truth && truth <= high, before + " of CONTACT lies within");
+    return (high - low) / truth;
+  }
+
   /// Intervals of few elements hold what CONTACT finds on 0.25 mm, and close with the elements.
   void
   intervals()
@@ -100,13 +110,8 @@ namespace
         scene.halfspace_element_size = size;
         Contributions contributions;
         const Summary summary = halfspace_summary(scene, solve(scene), &contributions);
-        const auto    width   = [&](const std::string &before, const std::string &unit, const double truth) {
-          const double low  = get_figure(summary, before + "_low" + unit),
-                       high = get_figure(summary, before + "_high" + unit);
-          check(low <= truth && truth <= high, before + " of CONTACT lies within");
-          return (high - low) / truth;
-        };
-        const double peak = width("max_pressure", "_Pa", 1237.65e6), creep = width("creepage", "", 2.084e-3);
+        const double  peak    = width(summary, "max_pressure", "_Pa", 1237.65e6),
+                     creep    = width(summary, "creepage", "", 2.084e-3);
         check(peak < peak_width, "width for the peak " + std::to_string(peak));
         check(creep < creep_width, "width for the creepage " + std::to_string(creep));
         peak_width  = 0.7 * peak;
@@ -119,7 +124,7 @@ namespace
   std::string
   file_of(const std::string &text)
   {
-    const std::string path = "distance.txt"; // in the folder of this test
+    std::string path = "distance.txt"; // in the folder of this test
     std::ofstream(path) << text;
     return path;
   }

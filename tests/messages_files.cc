@@ -125,6 +125,27 @@ namespace
       "cell size");
   }
 
+  void
+  test_other_than_file(const std::string &path, const std::string &kind)
+  {
+    const std::string begin = path + ": " + kind + "; ";
+    check_message([&]() { read_input_file(path); }, begin + "a parameter file (.prm) is needed");
+    check_message([&]() { read_motion_file(path); },
+                  begin + "a motion is a table of rows over time or distance");
+    check_message([&]() { read_curve_file(path, MotionQuantity::creepage); },
+                  begin + "--beside needs a table of points to draw beside the curve");
+    check_message([&]() { read_distance_file(path); }, begin + "rows x, y, distance in mm are needed");
+    MaterialTest test;
+    test.file = path;
+    check_message([&]() { material_path(test); }, begin + "rows of strains and stresses are needed");
+    check_message([&]() { read_profile_file(path, {}); },
+                  path + ": not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+    check_message([&]() { read_whole_file(path); },
+                  "The file \"" + path + "\" is no ordinary file, but " + kind + ".");
+    check_message([&]() { scene_from_text("include " + path + "\n", "x.prm", {}); },
+                  "x.prm:1: include " + path + ": " + begin + "a parameter file (.prm) is needed");
+  }
+
   /// Only ordinary files are read: nobody may ever write into a pipe, and a device may have no end.
   void
   test_other_than_files()
@@ -133,28 +154,9 @@ namespace
     fs::remove(pipe);
     if (::mkfifo(pipe.c_str(), 0666) != 0)
       std::abort();
-    for (const auto &[path, kind] :
-         {std::pair<std::string, std::string>(pipe, "a pipe"), {"/dev/zero", "a device"}, {"/", "a folder"}})
-      {
-        const std::string begin = path + ": " + kind + "; ";
-        check_message([&, p = path]() { read_input_file(p); }, begin + "a parameter file (.prm) is needed");
-        check_message([&, p = path]() { read_motion_file(p); },
-                      begin + "a motion is a table of rows over time or distance");
-        check_message([&, p = path]() { read_curve_file(p, MotionQuantity::creepage); },
-                      begin + "--beside needs a table of points to draw beside the curve");
-        check_message([&, p = path]() { read_distance_file(p); },
-                      begin + "rows x, y, distance in mm are needed");
-        MaterialTest test;
-        test.file = path;
-        check_message([&]() { material_path(test); }, begin + "rows of strains and stresses are needed");
-        check_message([&, p = path]() { read_profile_file(p, {}); },
-                      path +
-                        ": not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
-        check_message([&, p = path]() { read_whole_file(p); },
-                      "The file \"" + path + "\" is no ordinary file, but " + kind + ".");
-        check_message([&, p = path]() { scene_from_text("include " + p + "\n", "x.prm", {}); },
-                      "x.prm:1: include " + path + ": " + begin + "a parameter file (.prm) is needed");
-      }
+    test_other_than_file(pipe, "a pipe");
+    test_other_than_file("/dev/zero", "a device");
+    test_other_than_file("/", "a folder");
     fs::remove(pipe);
   }
 } // namespace

@@ -42,7 +42,7 @@ namespace wheelrail
                d.normal,
                d.forces,
                d.subsurface) +
-          (d.variation != 0 ? text(" VLDCMZE.  VARFRC%2d,", d.variation) : text("  LDCMZE.           ")) +
+          (d.variation != 0 ? text(" VLDCMZE.  VARFRC%2d,", d.variation) : "  LDCMZE.           ") +
           text(" FRCLAW%2d, DISCNS%2d, INFLCF%2d, MATER %2d, RZNORM%2d, RZTANG%2d\n",
                d.law,
                d.grid,
