@@ -1,3 +1,5 @@
+// needs: vehicle
+
 // The command halfspace: files it writes, balance of forces, figures of CONTACT, both kinds of spin.
 
 #include "check.h"

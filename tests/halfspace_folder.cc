@@ -1,3 +1,5 @@
+// needs: vehicle
+
 // Calls of halfspace of different kinds into one folder: nothing of one kind stays for `report` to draw
 // beside the other, while tables of creep curves and the user's own files do.
 

@@ -1,4 +1,5 @@
 // label: fast
+// needs: track
 
 // Parameter files as texts: syntax, the ready scenes, and the command line that reads them.
 

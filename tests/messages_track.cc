@@ -1,3 +1,5 @@
+// needs: track
+
 // What the program answers to unsuitable supports of the rail, word by word.
 
 #include "messages.h"
