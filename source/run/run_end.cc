@@ -154,7 +154,8 @@ namespace wheelrail
           measure_against(halfspace, scene, summary, measures);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
           set_figure(summary, "relative_difference_max_pressure", measures.peak_difference);
-          const double there = draws_irregularities(geometry) ? middle_of_means(scene, summary, measures) : 0;
+          const bool   drawn = draws_irregularities(geometry) && !measures.off_rail();
+          const double there = drawn ? middle_of_means(scene, summary, measures) : 0;
           noise              = noise_effect(
             scene, standing(geometry, there, -there / geometry.contact.rolling_radius), summary.normal_force);
           if (std::isfinite(noise.peak))
