@@ -50,6 +50,10 @@ namespace
               2.3,
               no,
               "2.3 of 1 mm lie across the highest pressure; take Mesh/Solution cell size = 0.5 mm.");
+    test_rule(&Measures::cells_across_peak,
+              2.99,
+              no,
+              "3.0 of 1 mm lie across the highest pressure; take Mesh/Solution cell size = 0.5 mm.");
     test_rule(
       &Measures::between_nodes,
       0.019,

@@ -54,7 +54,8 @@ namespace wheelrail
       const bool   ridge   = 2 * m.cells_across_peak < m.cells;
       const bool   between = lost > m.wanted && lost - m.between_nodes <= m.wanted;
       const double across  = ridge ? m.cells_across_peak : m.cells,
-                   most    = few ? 1.3 / std::pow(ridge ? 2 * across : across, 2) : within;
+                   most =
+                     few ? std::max(1.3 / std::pow(ridge ? 2 * across : across, 2), 2 * m.wanted) : within;
       // never coarser than what was told before the run
       const double size = advised_cell(
         scene.cell_size, std::max(most, std::isnan(m.expected_loss) ? 0 : m.expected_loss), m.wanted);
