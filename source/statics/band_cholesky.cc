@@ -55,6 +55,7 @@ namespace wheelrail
       const int rows = band + 1, one = 1;
       int       info = 0;
       if constexpr (std::is_same_v<decltype(x), double *>)
+        // L y = b, then L^H x = y: 4 n band operations, against n band^2 of the factor
         dpbtrs_("L", &n, &band, &one, values, &rows, x, &n, &info, 1);
       else
         zpbtrs_("L", &n, &band, &one, values, &rows, x, &n, &info, 1);
@@ -66,6 +67,7 @@ namespace wheelrail
   BandCholesky<Number>::BandCholesky(const std::size_t size, const std::size_t band)
     : size_(size)
     , band_(band)
+    // lower half by columns, with the corner beyond the last row unused: n (band + 1) numbers
     , values_(size * (band + 1), Number(0))
   {
   }
@@ -75,6 +77,7 @@ namespace wheelrail
   void
   BandCholesky<Number>::factorise()
   {
+    // info > 0: a pivot is not positive, which a stiffness has when nothing holds the body
     if (size_ > 0 && decompose(values_.data(), static_cast<int>(size_), static_cast<int>(band_)) != 0)
       throw std::runtime_error("a matrix is not positive definite");
   }

@@ -16,6 +16,9 @@ namespace wheelrail
     AlignedVector<double>
     even_springs(const StaticGround &ground, const LocalMesh &mesh)
     {
+      // The matrix of the iterative solver has springs of single nodes alone. Unknowns condensed into the
+      // ground take k k'/K off them: the row sums of these terms, taken off the diagonal (lumped), leave the
+      // force of a translation as it is.
       AlignedVector<double> even = ground.springs;
       if (ground.joined.size() == 0)
         return even;
@@ -27,6 +30,7 @@ namespace wheelrail
             moved[4 * n + i] = 1;
           ground.joined.add_product(1, moved.data(), force.data());
           for (std::size_t n = 0; n < mesh.n_owned; ++n)
+            // a row below zero would make the matrix indefinite, and conjugate gradients fail
             even[4 * n + i] = std::max(0., even[4 * n + i] + force[4 * n + i]);
         }
       return even;
@@ -42,8 +46,10 @@ namespace wheelrail
                      const StaticGround               &ground)
   {
     constexpr double most_memory = 1e9; // blocks of 8 mm take 0.7 of it, of 16 mm 0.05
-    const double     memory      = swept_solver_memory(discretization.grid(Body::rail)) +
+    // exact factors of both bodies [bytes]: unknowns times band width
+    const double memory = swept_solver_memory(discretization.grid(Body::rail)) +
                           swept_solver_memory(discretization.grid(Body::wheel));
+    // the exact one is linear, so that the whole cycle of multigrid is
     if (memory < most_memory)
       return std::make_unique<DirectCoarseSolver>(discretization, mesh, blocks, held, ground);
     return std::make_unique<IterativeCoarseSolver>(
@@ -55,7 +61,9 @@ namespace wheelrail
   spring_blocks(const StaticSprings &springs)
   {
     SpringBlocks blocks;
-    const auto  &parts = springs.parts();
+    // B' C B of all springs, gathered by pairs of nodes: parts of one spring follow one another, and each
+    // pair of them gives a block in both orders, so that the sum is symmetric
+    const auto &parts = springs.parts();
     for (std::size_t a = 0; a < parts.size(); ++a)
       {
         const unsigned int spring = parts[a].spring;

@@ -25,7 +25,9 @@ namespace wheelrail
     int rank, n_ranks;
     MPI_Comm_rank(communicator_, &rank);
     MPI_Comm_size(communicator_, &n_ranks);
+    // 1. Each body on a rank of its own where there are two: both are solved at the same time
     rank_ = {0, 1 % n_ranks};
+    // 2. Place of each node in the swept order of its body, gathered from all ranks
     struct Known
     {
       Place         place;
@@ -61,6 +63,7 @@ namespace wheelrail
     for (const Body body : both_bodies)
       {
         x_[body].resize(3 * held_here[body].size());
+        // 3. The factors of K, once for a mesh
         if (rank == rank_[body])
           solver_[body] = make_swept_solver(discretization.grid(body),
                                             blocks[body].elasticity(),
@@ -68,6 +71,8 @@ namespace wheelrail
                                             held_here[body],
                                             ground_here[body]);
       }
+    // 4. What parts join, sleepers say, are directions of many nodes of the rail; their stiffness may be
+    // negative, as what condensation takes off the diagonal springs
     for (std::size_t k = 0; k < ground.joined.size(); ++k)
       joined_.push_back({Body::rail, ground.joined.stiffness()[k], {}, {}});
     for (const StaticSprings::Part &part : ground.joined.parts())
@@ -84,6 +89,7 @@ namespace wheelrail
   double
   DirectCoarseSolver::Direction::operator*(const std::vector<double> &x) const
   {
+    // T' x with the few weights of a direction
     double sum = 0;
     for (const auto &[row, weight] : weights)
       sum += weight * x[row];
@@ -108,6 +114,7 @@ namespace wheelrail
   DirectCoarseSolver::set_springs(const StaticSprings &springs)
   {
     const SpringBlocks blocks = spring_blocks(springs);
+    // Columns of B': first the joined directions, then three for each node that a contact spring touches
     held_.clear();
     for (const Direction &direction : joined_)
       held_.push_back(&direction);
@@ -120,6 +127,7 @@ namespace wheelrail
     couple_.reinit(n, n);
     if (n == 0)
       return;
+    // G [N/m] is diagonal for joined directions and has 3 x 3 blocks for pairs of nodes; S [m/N]
     dealii::FullMatrix<double> G(n, n), S(n, n, compliance().data()), GS(n, n);
     for (std::size_t k = 0; k < joined_.size(); ++k)
       G(k, k) = joined_[k].stiffness;
@@ -141,6 +149,7 @@ namespace wheelrail
   const std::array<DirectCoarseSolver::Direction, 3> &
   DirectCoarseSolver::directions_of(const std::uint32_t node)
   {
+    // K^-1 of a unit force along each axis [m/N]: three solutions, once a node
     const auto [entry, fresh] = of_node_.try_emplace(node);
     const Place place         = place_[node];
     if (fresh)
@@ -160,6 +169,7 @@ namespace wheelrail
     const std::size_t   n = held_.size();
     std::vector<double> S(n * n, 0.);
     for (std::size_t column = 0; column < n; ++column)
+      // the rank of a body has its columns; directions of different bodies are not coupled in K
       if (const Direction &force = *held_[column]; !force.response.empty())
         for (std::size_t row = 0; row < n; ++row)
           if (held_[row]->body == force.body)
@@ -172,6 +182,7 @@ namespace wheelrail
   void
   DirectCoarseSolver::solve(const NodeVector &forces, NodeVector &z)
   {
+    // 1. Forces of all coarse nodes on all ranks; 2. K^-1 of each body
     std::vector<double> own;
     own.reserve(3 * mesh_.n_owned);
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
@@ -182,8 +193,10 @@ namespace wheelrail
     for (const Body body : both_bodies)
       if (solver_[body])
         solver_[body]->solve(x_[body]);
+    // 3. Springs (Woodbury)
     hold_back();
     for (const Body body : both_bodies)
+      // 4. Each rank takes its own nodes
       MPI_Bcast(x_[body].data(), static_cast<int>(x_[body].size()), MPI_DOUBLE, rank_[body], communicator_);
     for (unsigned int n = 0; n < mesh_.n_owned; ++n)
       {

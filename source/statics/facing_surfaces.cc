@@ -48,6 +48,10 @@ namespace wheelrail
   double
   tread_stretch(const Contact &contact, const std::vector<Vector3> &rail_before)
   {
+    // e = (slope of what the wheel's steel lies ahead) - (slope of u_z of the rail) over z, z the place along
+    // the track [m]; both dimensionless, positive where the tread is stretched more than the head. e adds to
+    // the rigid slip w_x (doc/theory/rolling.md, Shear tractions). With u_z alone for the wheel the
+    // flattening of its surface would count as stretch: the arc is z + z^3/(6 r^2).
     const Lattice      &lattice  = contact.lattice();
     const StationRange &stations = contact.window().rail;
     const double        r        = contact.surfaces().rolling_radius;
@@ -60,6 +64,7 @@ namespace wheelrail
           {
             const std::size_t  k    = lattice.index(i, j);
             const ContactNode &node = contact.nodes()[k];
+            // outside the patch surfaces are not pressed together, and their stretch does not enter rolling
             if (node.pressure <= 0)
               continue;
             // how far the wheel's steel stands ahead of where a surface that is rolled out flat would have it
@@ -82,6 +87,7 @@ namespace wheelrail
             squares += from_middle * from_middle;
           }
       }
+    // one slope for all lines, each about its own middle: a line of n nodes counts with n^3
     return squares > 0 ? products / squares : 0;
   }
 
@@ -89,6 +95,9 @@ namespace wheelrail
   double
   facing_after_shift(const Contact &contact, const StartGrid &loaded)
   {
+    // -v of equation (6) of doc/theory/bodies.md, mean over the pressure [m], v = e_s . (u_wheel - u_rail),
+    // e_s = (cos, sin) of the row's inclination. Positive: the steel that faces a row lies farther towards
+    // the track centre on its profile.
     double aside = 0, load = 0;
     for (int j = 0; j < loaded.n_j; ++j)
       {

@@ -78,11 +78,13 @@ namespace wheelrail
     , matrix_(std::make_unique<Matrix>())
   {
     Matrix &m = *matrix_;
+    // 1. Unknowns: three components a node, numbers ascending with the ranks
     m.owned.set_size(3 * dealii::Utilities::MPI::sum(mesh.n_owned, communicator));
     if (mesh.n_owned > 0)
       m.owned.add_range(dof(0, 0), dof(0, 0) + 3 * mesh.n_owned);
     m.in.reinit(m.owned, communicator);
     m.out.reinit(m.owned, communicator);
+    // 2. Stiffness of each coarse element at rest, 24 x 24 [N/m]; it does not change, only springs do
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       {
         std::array<Vector3, 8> X;
@@ -93,6 +95,7 @@ namespace wheelrail
         m.elements.emplace_back(
           24, 24, element_stiffness(element_geometry(X), body.elasticity(), body.form).data());
       }
+    // 3. Nodes that do not move: their rows and columns become those of the unit matrix
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
       for (int i = 0; i < 3 && held[n]; ++i)
         m.held.add_line(dof(n, i));
@@ -108,6 +111,9 @@ namespace wheelrail
   void
   IterativeCoarseSolver::make_modes()
   {
+    // Vectors without strain energy (near null space). Smoothed aggregation (Vanek, Mandel and Brezina 1996)
+    // builds its coarse trial functions from them: without rotations each aggregate would resist turning, and
+    // the bending of rail and disc would converge slowly.
     Matrix           &m      = *matrix_;
     const std::size_t n_rows = m.owned.n_elements();
     m.modes.assign(6 * n_rows, 0.);
@@ -143,6 +149,7 @@ namespace wheelrail
     SpringBlocks blocks = spring_blocks(springs);
     if (m.preconditioner && distance(blocks, m.springs, 1) < 0.3 * distance(blocks, m.springs, 0))
       return;
+    // springs that differ by less than 30 % leave the matrix as it is: it only preconditions
     m.springs = std::move(blocks);
     m.preconditioner.reset();
     m.matrix.reinit(m.owned, m.owned, pattern(), communicator_);
@@ -154,11 +161,13 @@ namespace wheelrail
   dealii::DynamicSparsityPattern
   IterativeCoarseSolver::pattern() const
   {
+    // couplings of the elements and, 3 x 3, of each pair of nodes that a spring joins
     const Matrix                  &m = *matrix_;
     dealii::DynamicSparsityPattern pattern(m.owned.size(), m.owned.size());
     for (const auto &cell : mesh_.cells)
       m.held.add_entries_local_to_global(unknowns(cell), pattern, false);
     for (const auto &[pair, block] : m.springs)
+      // each rank adds the rows that it owns
       if (m.owned.is_element(3 * pair.first))
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
@@ -198,6 +207,8 @@ namespace wheelrail
     Matrix                &m = *matrix_;
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
+    // A node's three unknowns stay in one aggregate, and all couplings count as strong (threshold 0): flat
+    // cells have weak ones across, which bending needs.
     list.set("ML output", 0);
     list.set("PDE equations", 3);
     list.set("aggregation: type", "Uncoupled");
@@ -215,8 +226,11 @@ namespace wheelrail
         list.set("smoother: type", "Chebyshev");
         list.set("smoother: sweeps", 4);
       }
+    // W cycle: coarser levels are visited twice
     list.set("prec type", "MGW"); // nearly all of the work is on its finest level
+    // the smallest system is factored
     list.set("coarse: type", "Amesos-KLU");
+    // the six rigid motions of make_modes()
     list.set("null space: type", "pre-computed");
     list.set("null space: dimension", 6);
     list.set("null space: vectors", m.modes.data());
@@ -228,11 +242,14 @@ namespace wheelrail
   void
   IterativeCoarseSolver::conjugate_gradients()
   {
-    Matrix      &m    = *matrix_;
+    Matrix &m = *matrix_;
+    // solved for K z = f [N] to z [m] from zero, so that the solution depends on the forces alone
     const double norm = m.in.l2_norm();
     m.out             = m.in;
     if (!std::isfinite(norm)) // it is for the caller to notice
       return;
+    // ten steps at most, or a fifth of the residual: a rough solution that is not linear in the forces, so
+    // that the outer conjugate gradients are flexible ones
     dealii::IterationNumberControl control(most_steps, tolerance * norm);
     dealii::SolverCG<Vector>       cg(control);
     m.out     = 0;
@@ -247,6 +264,8 @@ namespace wheelrail
       }
     if (lost && failures_ >= patience)
       std::fill(m.out.begin(), m.out.end(), std::nan("")); // it is for the caller to notice
+    // a third failure in all, or a residual that is no number: Chebyshev's polynomial smooths from now on,
+    // and this solution is done again
     else if (lost || (!(control.last_value() <= norm) && failures_ + 1 == patience))
       {
         failures_ = patience;

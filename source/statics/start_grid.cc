@@ -47,6 +47,9 @@ namespace wheelrail
     std::vector<Columns>
     columns_in_planes(const Contact &contact)
     {
+      // 1. Loaded columns that follow one another are a patch; 2. patches whose mean inclinations differ by
+      // less than 0.1 rad share a plane, since a half-space has one normal. The inclination is the mean over
+      // the force.
       const Lattice       &lattice = contact.lattice();
       std::vector<Columns> patches, planes;
       for (unsigned int j = 0; j < lattice.n_lateral; ++j)
@@ -72,7 +75,8 @@ namespace wheelrail
     grid_over(const Contact &contact, const Columns &columns)
     {
       const Lattice &lattice = contact.lattice();
-      int            i0 = lattice.n_along, i1 = -1;
+      // 1. Extent of the loaded nodes along the track
+      int i0 = lattice.n_along, i1 = -1;
       for (unsigned int i = 0; i < lattice.n_along; ++i)
         for (int j = columns.first; j <= columns.last; ++j)
           if (contact.nodes()[lattice.index(i, j)].pressure > 0)
@@ -80,6 +84,7 @@ namespace wheelrail
       const double spacing_across =
         // rows have equal distances across the frame; on a plane inclined against it they lie farther apart
         lattice.spacing_lateral / std::cos(columns.inclination - contact.surfaces().frame.angle);
+      // 2. One line of open nodes around them, inside the lattice: the patch may end anywhere up to these
       StartGrid loaded;
       loaded.first_i       = std::max(0, i0 - 1);
       loaded.first_j       = std::max(0, columns.first - 1);
@@ -87,8 +92,10 @@ namespace wheelrail
       loaded.n_j           = std::min<int>(lattice.n_lateral - 1, columns.last + 1) - loaded.first_j + 1;
       const double extent  = std::min(loaded.n_i * lattice.spacing_along, loaded.n_j * spacing_across);
       const double largest = std::max(0.35e-3, extent / 60);
+      // 3. An odd number of elements a node, so that one of them has its middle at the node
       while (std::max(lattice.spacing_along, spacing_across) > largest * loaded.parts)
         loaded.parts += 2;
+      // 4. Origin: the middle of the first element, half a node's elements before the node
       loaded.grid.mx      = loaded.n_i * loaded.parts;
       loaded.grid.my      = loaded.n_j * loaded.parts;
       loaded.grid.dx      = lattice.spacing_along / loaded.parts;
@@ -207,6 +214,8 @@ namespace wheelrail
   std::vector<double>
   in_midst_of_step(const HalfspaceGrid &grid, const std::vector<double> &pressure)
   {
+    // x grows ahead. Index e of the solution stands for the place half an element behind e
+    // (doc/theory/accuracy.md, Edges of the patch); at_elements() takes its tractions back.
     std::vector<double> mean(grid.size(), 0.);
     for (int e = 0; e < grid.size(); ++e)
       {

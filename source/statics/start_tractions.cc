@@ -41,6 +41,9 @@ namespace wheelrail
              const double           aside,
              HalfspaceProblem      &problem)
     {
+      // The rail is body 1, so that the slip is that of the rail against the wheel over V
+      // (doc/theory/halfspace.md, Frame and signs); a driving wheel has a positive creepage c. s + aside is
+      // where the row's steel lies on the wheel's profile: radius and angle are those there.
       WheelMotion motion;
       motion.forward_radius   = surfaces.forward_radius;
       motion.lateral_creepage = start.lateral_creepage;
@@ -66,6 +69,8 @@ namespace wheelrail
       if (!added)
         return;
       std::vector<double> x(problem.grid.size(), 0.), y(x);
+      // slip of the remainder D (doc/theory/bodies.md) under the pressures, which the solution does not
+      // change
       added->add_slip({{nullptr, nullptr, &problem.pressure}}, {{&x, &y, nullptr}});
       for (std::size_t e = 0; e < x.size(); ++e)
         {
@@ -94,6 +99,7 @@ namespace wheelrail
       {
         problem.grid = loaded.grid;
         // the static search asks for tractions again until they stay within 1e-5
+        // 1. Pressures of the elements [Pa], between the nodes
         problem.coupling_tolerance = 1e-5;
         pressure                   = element_pressures(contact, loaded);
         for (int j = 0; j < loaded.grid.my; ++j)
@@ -103,6 +109,7 @@ namespace wheelrail
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
         // bounds mu p half an element on, where the particles of the step are in the mean
         // (doc/theory/accuracy.md, Edges of the patch)
+        // 2. Bound and rigid slip
         problem.pressure = in_midst_of_step(loaded.grid, pressure);
         set_slip(contact.surfaces(), motion, loaded, facing_after_shift(contact, loaded), problem);
         if (beyond)
@@ -114,6 +121,7 @@ namespace wheelrail
       area_ratio(const Contact &contact, const int i, const int j) const
       {
         // so that pressure times element area is the force of the node
+        // a facet inclined by a against the plane has 1/cos(a) of the area
         return contact.rail().area[loaded.node(contact.lattice(), i, j)] /
                (loaded.grid.element_area() * loaded.parts * loaded.parts);
       }
@@ -121,6 +129,7 @@ namespace wheelrail
       void
       solve()
       {
+        // tractions of the last creepage are the first guess for the next
         const HalfspaceSolution before = std::move(solution);
         solution                       = solve_rolling(problem, kernels, &before);
       }
@@ -136,6 +145,7 @@ namespace wheelrail
                   const BeyondHalfspaces &beyond)
         : contact_(contact)
       {
+        // without friction there are no tractions, and no creepage follows from a force
         if (contact.law().friction.at(0) > 0)
           for (const StartGrid &grid : start_grids(contact))
             planes_.emplace_back(contact, grid, bodies, motion, beyond);
@@ -144,6 +154,7 @@ namespace wheelrail
       void
       roll(const double creepage)
       {
+        // the creepage c is one number for all patches: all turn with the wheel
         for (StartPlane &plane : planes_)
           {
             plane.problem.longitudinal_force_given = false;
@@ -170,6 +181,7 @@ namespace wheelrail
             return plane.solution.within_friction && plane.solution.tangential_converged;
           }
         // planes have one creepage: root of sum of forces - force (several patches)
+        // [N]: forces are compared with the bound of all planes together
         const double close = 1e-6 * bound();
         // from the creepage of the last force on
         const CreepageFound found = find_creepage(
@@ -265,6 +277,8 @@ namespace wheelrail
         return planes.tractions();
       // friction d N is carried at any speed; more of it may have no steady solution
       double low = std::copysign(carried, force), high = force;
+      // Friction that falls with the slip speed: mu(v) p. A force between d N and s N may have a steady
+      // solution or none; where the slip that it needs lowers the bound below it, the wheel spins up.
       planes.drive(low);
       StartTractions best = planes.tractions();
       // bisection on the force
@@ -309,7 +323,8 @@ namespace wheelrail
     // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
     constexpr double   full_slip = 0.98;
     const FrictionLaw &friction  = contact.law().friction;
-    double             load      = 0;
+    // sum of p A over the nodes: what bounds friction, not the vertical force
+    double load = 0;
     for (std::size_t k = 0; k < contact.nodes().size(); ++k)
       load += contact.nodes()[k].pressure * contact.rail().area[k];
     // 98 % of mu times the sum of p A
@@ -325,6 +340,7 @@ namespace wheelrail
         planes.drive(force);
         result = planes.tractions();
       }
+    // one per cent and one newton: below that the force counts as found
     result.saturated = std::abs(result.force - longitudinal_force) > 0.01 * std::abs(longitudinal_force) + 1;
     return result;
   }

@@ -31,6 +31,7 @@ namespace wheelrail
       NodeVector          residual = balance.residual;
       double              bore     = balance.bore;
       std::vector<double> weight(secants.size());
+      // y_k . s_k = `work` is positive for all secants kept, so that no quotient is singular
       for (std::size_t k = secants.size(); k-- > 0;)
         {
           const Secant &secant = secants[k];
@@ -60,6 +61,9 @@ namespace wheelrail
     StaticBalance
     go_along(StaticSearch &search, StaticStep &step, const StaticBalance &start)
     {
+      // power = -(slope of the potential) along the step [J], positive at its begin in a convex potential.
+      // The minimum is bracketed between `low` (power > 0) and `high` (power < 0); within the bracket a
+      // secant that stays a tenth away from both ends.
       const double  first = search.power(start, step);
       double        at = 0, low = 0, power_low = first, high = 0, power_high = 0, next = 1;
       StaticBalance balance;
@@ -90,6 +94,7 @@ namespace wheelrail
     bool
     balanced(const StaticSearch &search, const StaticBalance &balance, const double tolerance)
     {
+      // of nodes [N] and of the vertical contact force against the wheel load [N]
       const double load = search.wheel_load();
       return balance.largest() < tolerance * load &&
              // vertical balance to ten times the tolerance of a node
@@ -101,6 +106,7 @@ namespace wheelrail
   StaticFlow
   static_flow(StaticSearch &search, const double tolerance, const unsigned int most_steps)
   {
+    // secants, the newest; each holds two vectors of all nodes
     constexpr std::size_t memory = 10;
     constexpr double      near   = 1e-2; // of the wheel load: from here on slow steps are worth making
     StaticFlow            flow;
@@ -109,6 +115,7 @@ namespace wheelrail
     flow.balance = search.balance();
     while (flow.steps < most_steps && !balanced(search, flow.balance, tolerance))
       {
+        // the vertical balance counts as one more force out of balance
         const double missing = search.wheel_load() - flow.balance.sums.force[1];
         flow.stuck           = progress.stuck(std::hypot(flow.balance.residual.l2_norm(), missing)) &&
                      !balanced(search, flow.balance, near);

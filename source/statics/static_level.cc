@@ -79,6 +79,8 @@ namespace wheelrail
     , force_(zero())
     , step_(zero())
   {
+    // K is never assembled: its nodes' 3 x 3 blocks and its largest eigenvalue are all that the smoother
+    // needs
     make_diagonal();
     find_largest_eigenvalue();
   }
@@ -121,6 +123,7 @@ namespace wheelrail
   StaticLevel::elastic_product(const NodeVector &x, NodeVector &y)
   {
     find_elastic_force(x);
+    // the kernel gives the force on the nodes, -K x
     y.equ(-1 / tiny, force_);
   }
 
@@ -141,6 +144,7 @@ namespace wheelrail
   void
   StaticLevel::product(const NodeVector &x, NodeVector &y)
   {
+    // K = bodies + ground + B' C B
     elastic_product(x, y);
     add_ground(1, x, y.begin());
     springs_.add_product(1, x.begin(), y.begin());
@@ -160,6 +164,7 @@ namespace wheelrail
   void
   StaticLevel::smooth(NodeVector &x, NodeVector &residual, const bool last_residual)
   {
+    // k = 1 has no step before: d_1 = 4/(3 lambda_max) D^-1 r
     step_ = 0;
     for (int k = 1; k <= smoothing_steps; ++k)
       {
@@ -190,6 +195,7 @@ namespace wheelrail
             const unsigned int node = mesh_.cells[c][v];
             for (int i = 0; i < 3; ++i)
               X[v][i] = mesh_.reference[4 * node + i];
+            // a hanging node has no equation of its own: its share of K goes to its parents
             const unsigned int k = hangs[node];
             if (k == no)
               shares.push_back({v, node, 1});
@@ -203,6 +209,7 @@ namespace wheelrail
                      sum_a.data(),
                      sum_b.data());
       }
+    // a node on the border of ranks has elements on each
     for (auto *const sum : {&sum_a, &sum_b})
       sum_over_ranks(mesh_, sum->data());
     for (std::size_t k = 0; k < ground_.springs.size(); ++k)
@@ -210,8 +217,9 @@ namespace wheelrail
     inverse_.resize(mesh_.n_nodes());
     for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
       {
-        const double   *a = &sum_a[4 * n], *b = &sum_b[4 * n];
-        const double    entries[6] = {a[0], a[1], a[2], b[2], b[1], b[0]};
+        const double *a = &sum_a[4 * n], *b = &sum_b[4 * n];
+        const double  entries[6] = {a[0], a[1], a[2], b[2], b[1], b[0]};
+        // order of deal.II: xx, yy, zz, xy, xz, yz
         const Symmetric block(entries);
         // zeros at hanging nodes
         inverse_[n] = !held_[n] && determinant(block) > 0 ? invert(block) : Symmetric();
@@ -223,6 +231,8 @@ namespace wheelrail
   std::vector<double>
   StaticLevel::spring_forces(const NodeVector &residual) const
   {
+    // 1. B D^-1 r on each rank's nodes, summed; 2. the small system in the springs, a band where springs
+    // share nodes, the same on all ranks
     std::vector<double> forces(springs_.size(), 0.);
     if (forces.empty())
       return forces;
@@ -247,6 +257,7 @@ namespace wheelrail
                               NodeVector       &step,
                               NodeVector       &x) const
   {
+    // 1. z = D^-1 r, block by block; 2. less what the springs hold back, at the nodes of springs alone
     const std::vector<double> forces = spring_forces(residual);
     const double             *r      = residual.begin();
     double                   *s = step.begin(), *to = x.begin();
@@ -276,6 +287,7 @@ namespace wheelrail
   {
     const auto &parts = springs_.parts();
     coupling_         = BandCholesky<double>(springs_.size(), springs_.band());
+    // D^-1 B' of each part of a spring [m], once for a set of springs
     images_.assign(parts.size(), Vector3{});
     std::map<unsigned int, std::vector<std::size_t>> at_node; // parts of the rank's own nodes
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -310,7 +322,10 @@ namespace wheelrail
   StaticLevel::find_largest_eigenvalue()
   {
     constexpr double margin = 1.1; // Lanczos comes from below
-    NodeVector       noise = zero(), solution = zero(), step = zero();
+    // Conjugate gradients with D^-1 are Lanczos' method: the coefficients of n steps give a tridiagonal
+    // matrix whose largest eigenvalue is a lower bound of that of D^-1 K. Noise has a share of all vectors.
+    // Chebyshev's polynomial amplifies what lies beyond its bound.
+    NodeVector noise = zero(), solution = zero(), step = zero();
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       for (unsigned int i = 0; i < 3; ++i)
         if (inverse_[n][i][i] > 0)

@@ -15,6 +15,8 @@ namespace wheelrail
     std::vector<unsigned char>
     coarse_held(const CoarseLevel &coarse, const std::vector<unsigned char> &held)
     {
+      // only a node with one parent coincides with it: one in the middle of a line or face does not hold the
+      // coarse nodes around it, which would stiffen what is free
       AlignedVector<double> mark(4 * coarse.mesh.n_nodes(), 0.);
       for (std::size_t n = 0; n < held.size(); ++n)
         if (held[n] && coarse.begin[n + 1] == coarse.begin[n] + 1)
@@ -30,7 +32,10 @@ namespace wheelrail
     PerBody<ElementBlocks>
     coarse_blocks(const LocalMesh &mesh, const PerBody<ElementBlocks> &finest)
     {
-      PerBody<std::vector<ElementGeometry>>             geometry;
+      PerBody<std::vector<ElementGeometry>> geometry;
+      // Coarse elements are those of the octree one level up, on their own vertices, not P' K P: no matrix is
+      // stored. Their sides are chords of curved surfaces, so that a coarse body differs a little from the
+      // fine one.
       PerBody<std::vector<std::array<unsigned int, 8>>> cells;
       for (std::size_t c = 0; c < mesh.cells.size(); ++c)
         {
@@ -63,6 +68,7 @@ namespace wheelrail
           for (int i = 0; i < 3; ++i)
             // f_coarse = P' f, P trilinear interpolation
             to.begin()[4 * coarse.nodes[p] + i] += coarse.weights[p] * from[4 * n + i];
+      // coarse nodes may hang too
       condense(coarse.mesh, to.begin());
       to.compress(dealii::VectorOperation::add);
     }
@@ -72,6 +78,7 @@ namespace wheelrail
     AlignedVector<double>
     coarse_springs(const CoarseLevel &coarse, const LocalMesh &finer, const AlignedVector<double> &springs)
     {
+      // lumped: springs of a translation stay what they are in sum, P' k P would join nodes
       NodeVector to = node_vector(coarse.mesh);
       restrict_forces(coarse, finer, springs.data(), to);
       to.update_ghost_values();
@@ -86,6 +93,8 @@ namespace wheelrail
       for (std::size_t n = 0; n < finer.n_owned; ++n)
         for (int i = 0; i < 3; ++i)
           {
+            // P is trilinear within a coarse cell; nodes that hang on the fine level are interpolated
+            // afterwards
             double value = 0;
             for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
               // u = P u_coarse
@@ -110,6 +119,8 @@ namespace wheelrail
     : communicator_(discretization.communicator())
     , coarse_(coarse_levels(discretization, solid.mesh))
   {
+    // 1. The finest level has the solid's own elements; 2. each coarser one new elastic ones, with ground and
+    // held nodes handed down; 3. the coarsest has the coarse solver in place of a smoother
     held_.push_back(held);
     blocks_.reserve(coarse_.size());
     PerBody<ElementBlocks> *blocks = &solid.blocks;
@@ -136,6 +147,8 @@ namespace wheelrail
   void
   StaticMultigrid::set_springs(const std::vector<Contact::Spring> &springs)
   {
+    // contact springs go down as B P, exactly (Galerkin): without them coarse corrections would not know that
+    // the bodies touch
     StaticSprings here(springs, levels_.front()->mesh(), held_.front(), communicator_);
     for (std::size_t k = 0; k < coarse_.size(); ++k)
       {
@@ -159,11 +172,13 @@ namespace wheelrail
   void
   StaticMultigrid::cycle(const std::size_t k, NodeVector &residual, NodeVector &x)
   {
+    // exact, or by rough conjugate gradients (make_coarse_solver())
     if (k == coarse_.size())
       {
         coarse_solver_->solve(residual, x);
         return;
       }
+    // K x = f on each level: x has been improved, `residual` = f - K x follows it
     StaticLevel &level = *levels_[k];
     // V cycle: 1. smooth; 2. residual to the coarser level and its correction; 3. back; 4. smooth. The
     // smoother is symmetric in D, and so is the cycle.
@@ -174,6 +189,7 @@ namespace wheelrail
     cycle(k + 1, coarse_residual, correction);
     NodeVector step = level.zero();
     interpolate(coarse_[k], level.mesh(), correction, step);
+    // a node that is held here may interpolate from free ones
     hold(held_[k], level.mesh(), step);
     x.add(1, step);
     level.subtract_product(step, residual);

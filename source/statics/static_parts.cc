@@ -15,6 +15,8 @@ namespace wheelrail
     , loads_(solid.force.size(), 0.)
     , springs_(solid.force.size(), 0.)
   {
+    // Signs: loads [N] along the axes of the track, Y up; springs [N/m], positive, pull back to where the
+    // part stands
     const std::vector<NodeInertia> inertia = prepare_parts(parts, solid);
     held_                                  = held_nodes(solid, inertia);
     for (std::size_t n = 0; n < inertia.size(); ++n)
@@ -28,6 +30,7 @@ namespace wheelrail
     int any = std::any_of(springs_.begin(), springs_.end(), [](const double k) { return k > 0; }) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, communicator);
     if (any == 0)
+      // none on any rank: nothing below has to be asked, on all ranks alike, since the calls are collective
       springs_.clear();
   }
 
@@ -35,6 +38,7 @@ namespace wheelrail
   std::vector<JoinedNodes>
   StaticParts::joined() const
   {
+    // terms of low rank that condensation takes off the diagonal springs, mostly negative [N/m]
     std::vector<JoinedNodes> all;
     if (!springs_.empty())
       for (const auto &part : parts_)

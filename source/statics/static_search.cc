@@ -20,6 +20,7 @@ namespace wheelrail
     Vector3
     radial_arm(const Vector3 &X, const AxleData &axle)
     {
+      // only the distance from the axle's line feels the rotation, also when yaw turns the line
       const Vector3 arm = X - axle.centre;
       // r = (X - c) - ((X - c) . a) a, a the axle's direction
       return arm - dot(arm, axle.axis) * axle.axis;
@@ -52,6 +53,7 @@ namespace wheelrail
                      const double       lateral,
                      const double       stretch)
     {
+      // body 1 is the rail, as in start_tractions()
       const HalfspaceSteels bodies = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
       const StartMotion     motion = {loads.axle.velocity, loads.axle.lateral_creepage, stretch};
       const double          force =
@@ -80,12 +82,15 @@ namespace wheelrail
     const AxleData      &axle = loads.axle;
     const MassProperties wheel =
       mass_properties(solid, Body::wheel, axle.centre, discretization.communicator());
+    // What is out of balance by itself in a mesh that is finer on one side: m omega^2 e. The axle of the run
+    // is rigid and bears it (below, balance()).
     wheel_mass_ = wheel.mass;
     // e: height of the wheel's centre of mass over the axle; zero of an even mesh
     wheel_offset_ = radial_arm(wheel.centre, axle)[1];
     // omega = V/(r cos(yaw)) without creepage
     rate_ = loads.axle.velocity / loads.forward_radius;
     contact_.gather(solid_.displacement.data(), solid_.velocity.data());
+    // displacements that the rail brings along from passages before: they are no stretch of this contact
     rail_before_ = rail_displacements(contact_);
     press();
   }
@@ -101,6 +106,8 @@ namespace wheelrail
     // 0.55 of the approach (Kik and Piotrowski 1996): the interpenetration of undeformed profiles has then
     // about the size of the patch
     lower_wheel(kik_piotrowski * loads_.first_approach);
+    // springs exist at nodes that touch alone: at least one has to, or the first step has no stiffness
+    // against the wheel's weight
     for (int k = 0; k < most; ++k)
       {
         contact_.gather(solid_.displacement.data(), solid_.velocity.data());
@@ -132,21 +139,26 @@ namespace wheelrail
   StaticBalance
   StaticSearch::balance()
   {
+    // 1. Bodies at rest here, one step from the history at the begin: plastic strains of trial positions are
+    // not kept
     flow_.restore(solid_.blocks);
     // forces out of balance: elements, centrifugal load, weight and what parts give, contact, tractions found
     // before
     AlignedVector<double> force = element_forces_at_rest(solid_);
+    // 2. Given loads [N]
     add_centrifugal_load(solid_, loads_.axle, rate_, force);
     for (std::size_t k = 0; k < force.size(); ++k)
       force[k] += system_.parts().loads()[k];
     system_.parts().add_forces(force);
+    // 3. Contact under pressure alone, then the shear tractions as given loads
     contact_.gather(solid_.displacement.data(), solid_.velocity.data());
     StaticBalance balance;
     balance.sums = contact_forces(nullptr, force);
     for (std::size_t k = 0; k < drag_.size(); ++k)
       force[k] += drag_[k];
     balance.sums.force = balance.sums.force + drag_sum_;
-    balance.residual   = system_.right_hand_side(force);
+    // 4. Forces out of balance on free nodes and on the bore
+    balance.residual = system_.right_hand_side(force);
     // a mesh finer at one place than elsewhere is a wheel a little out of balance, which the axle bears
     // vertical balance of the axle: bore force - (M + m_a) g - the unbalance m omega^2 e
     balance.bore = system_.bore_force(force) -
@@ -171,6 +183,8 @@ namespace wheelrail
   StaticStep
   StaticSearch::newton_step(const StaticBalance &balance, const double tolerance)
   {
+    // The contact's own tangent: springs k A n (x) n of nodes in contact; how normals turn with the
+    // displacements is left out.
     renew_springs();
     StaticStep step;
     system_.solve(balance.residual, balance.bore, tolerance, step);
@@ -217,6 +231,8 @@ namespace wheelrail
   {
     // the slope of the convex potential is zero at its minimum along the step: root of power(at), at = 1
     // first
+    // Signs: power > 0 before the minimum, < 0 beyond it. The full step is taken where it has not passed the
+    // minimum, or where it has halved the residual; else the root is bracketed.
     const double  first = power(start, step), before = start.largest();
     double        at = 0, low = 0, high = 1, power_low = first, power_high = 0;
     double        next = 1, last = 0;
@@ -256,6 +272,7 @@ namespace wheelrail
   double
   StaticSearch::stretch_beyond_halfspaces() const
   {
+    // equal E and nu: the coupling K of half-spaces vanishes (doc/theory/halfspace.md, Equations)
     const Elasticity &rail = solid_.blocks.rail.elasticity(), &wheel = solid_.blocks.wheel.elasticity();
     const bool        alike =
       rail.youngs_modulus == wheel.youngs_modulus && rail.poissons_ratio == wheel.poissons_ratio;
@@ -280,12 +297,14 @@ namespace wheelrail
   {
     if (tractions.traction.empty()) // so far pressure alone
       stretch_ = stretch_beyond_halfspaces();
+    // 1. Tractions and creepage for the pressures of this position
     const StartTractions before = std::move(tractions);
     tractions                   = shared_tractions();
     // omega = V/(r cos(yaw)) (1 + creepage)
     rate_ = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
     if (!loads_.tractions)
       tractions.traction.assign(tractions.traction.size(), Vector3{});
+    // 2. Their nodal forces, which stay as given loads until the next time
     drag_.assign(solid_.force.size(), 0.);
     AlignedVector<double> pressures(solid_.force.size(), 0.);
     // forces with tractions less those without: the shear part, bounded by mu p, which acts as a given load
@@ -296,6 +315,7 @@ namespace wheelrail
     lateral_force_              = whole[0];
     for (std::size_t k = 0; k < drag_.size(); ++k)
       drag_[k] -= pressures[k];
+    // 3. How much has changed, as shares of the creepage and of the wheel load
     const double least = 1e-300; // of a creepage that is 0
     return std::max(
       {std::abs(tractions.creepage - before.creepage) / std::max(std::abs(tractions.creepage), least),

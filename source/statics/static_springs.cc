@@ -64,15 +64,18 @@ namespace wheelrail
                                MPI_Comm                            communicator)
     : communicator_(communicator)
   {
+    // a spring of the contact joins the nodes behind a filtered one of the rail (weights +) with those of a
+    // facet of the wheel (weights -)
     const auto local = local_numbers(mesh);
     PartList   list(mesh);
     for (unsigned int k = 0; k < springs.size(); ++k)
       {
+        // eps A of the node [N/m]
         stiffness_.push_back(springs[k].stiffness);
         for (const auto &[global, weight] : springs[k].nodes)
           if (const auto node = local.find(global); node != local.end() && mesh.owns(node->second))
-            // row k of B: gap change = sum of weight_n n . u_n, K_springs = B' C B with C = diag(k A)
-            // (doc/theory/rolling.md, Static start, 2)
+            // row k of B: sum of weight_n n . u_n = minus the change of the gap; K_springs = B' C B with C =
+            // diag(k A) (doc/theory/rolling.md, Static start, 2)
             list.add(k, node->second, weight * springs[k].normal);
       }
     take(std::move(list.parts), mesh, held);
@@ -119,11 +122,15 @@ namespace wheelrail
                       const LocalMesh                  &mesh,
                       const std::vector<unsigned char> &held)
   {
-    mesh_            = &mesh;
+    mesh_ = &mesh;
+    // all ranks pass the same springs; each adds the parts of its own nodes
     const auto local = local_numbers(mesh);
+    // 1. Held nodes take no part: their displacement is zero.
     for (SpringPart &part : own)
       if (held[local.at(part.node)])
         part.weight = {0, 0, 0};
+    // 2. All ranks get all parts. Sorted stably by spring and node, so that sums have the same order, and the
+    // same bits, whatever rank gave them.
     std::vector<SpringPart> all = gather_all(own, communicator_);
     const auto place = [](const SpringPart &part) { return std::make_tuple(part.spring, part.node); };
     std::stable_sort(
@@ -135,6 +142,7 @@ namespace wheelrail
         parts_.push_back(part);
     for (const SpringPart &part : parts_)
       {
+        // 3. Which of them this rank has
         const auto node = local.find(part.node);
         local_.push_back(node == local.end() ? none : node->second);
       }
@@ -144,6 +152,7 @@ namespace wheelrail
   std::vector<double>
   StaticSprings::stretch(const double *x) const
   {
+    // each rank adds the parts of its own nodes, and the sum goes to all
     std::vector<double> stretch(size(), 0.);
     if (stretch.empty())
       return stretch;
@@ -171,6 +180,7 @@ namespace wheelrail
   void
   StaticSprings::add_product(const double factor, const double *x, double *y) const
   {
+    // factor B' C B x
     std::vector<double> force = stretch(x);
     for (std::size_t k = 0; k < force.size(); ++k)
       force[k] *= factor * stiffness_[k];
@@ -181,6 +191,8 @@ namespace wheelrail
   std::size_t
   StaticSprings::band() const
   {
+    // springs couple in B D^-1 B' where they share a node: their largest distance in the list is the band
+    // width of that matrix
     std::unordered_map<std::uint32_t, unsigned int> first; // spring of each node
     std::size_t                                     band = 0;
     for (const SpringPart &part : parts_)

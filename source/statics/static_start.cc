@@ -62,6 +62,8 @@ namespace wheelrail
     {
       // what may be out of balance at a node when tractions are renewed: the first ones ask for the stretch
       // of the tread under pressure alone, later ones only have to follow the pressures that bound them
+      // All limits are shares of the wheel load: `balanced`, `nearby` of the largest nodal force, `loaded` of
+      // the vertical force, `unchanged` of creepage and forces.
       constexpr double balanced = 1e-3, nearby = 0.05;
       // and of the wheel load: two patches that trade a tenth of it would trade their tractions for ever
       constexpr double loaded = 3e-3, unchanged = 1e-5;
@@ -92,6 +94,7 @@ namespace wheelrail
                 return balance;
               --rounds;
               allowed *= 0.5;
+              // each round allows half as much out of balance as the one before
               result.tractions_settled = !changed || rounds > 0;
               balance                  = search.balance();
               progress                 = StaticProgress();
@@ -129,8 +132,10 @@ namespace wheelrail
       // 2e-4 the rail head's turn differs by a hundredth, and tractions for pressures of a state at 2e-3 by
       // one in force and by three in work of friction from one number of ranks to the next
       constexpr double enough = 2e-5;
-      StaticFlow       flow   = static_flow(search, enough, 60);
-      result.flow_steps       = flow.steps;
+      // First pass: flow under the tractions of the elastic equilibrium; second one: under those of the lower
+      // and wider pressures.
+      StaticFlow flow   = static_flow(search, enough, 60);
+      result.flow_steps = flow.steps;
       if (!frictionless)
         search.renew_tractions();
       flow = static_flow(search, enough, 60);
@@ -154,12 +159,14 @@ namespace wheelrail
                const std::function<void(std::string)> &report)
   {
     report("static start: assembling the stiffness");
+    // 1. Bodies pressed into each other rigidly
     StaticSearch  search(discretization, solid, contact, parts, loads);
     const bool    without_friction = contact.law().friction.frictionless();
     StaticResult  result;
     StaticBalance balance;
     result.wheel_load = search.wheel_load();
     {
+      // 2. Elastic equilibrium: the history stays that of the begin
       const FrozenScope rail(solid.blocks.rail), wheel(solid.blocks.wheel);
       balance = elastic_equilibrium(search, without_friction, 2e-6, result);
     }
@@ -168,11 +175,13 @@ namespace wheelrail
     result.tread_stretch = search.stretch();
     if (without_friction)
       result.creepage = loads.rate_held ? loads.creepage : 0;
+    // 3. Flow of bodies that yield, in one step from that history
     if (!result.at_border && (solid.blocks.rail.plastic() || solid.blocks.wheel.plastic()))
       {
         report("static start: plastic flow from the elastic equilibrium");
         balance = plastic_equilibrium(search, without_friction, result);
       }
+    // 4. The contact remembers the tractions: the first step of the run begins with them
     search.set_tractions();
     result.residual         = balance.largest() / result.wheel_load;
     result.hub_displacement = search.hub_displacement;

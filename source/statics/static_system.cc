@@ -69,6 +69,7 @@ namespace wheelrail
   StaticSystem::Vector
   StaticSystem::right_hand_side(const AlignedVector<double> &nodal) const
   {
+    // signs: a nodal force is positive where it pushes the node along the axis; in equilibrium it is zero
     Vector vector = zero();
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       if (!held_[n])
@@ -103,6 +104,7 @@ namespace wheelrail
   double
   StaticSystem::bore_force(const AlignedVector<double> &nodal) const
   {
+    // hanging nodes are not marked: their forces are at their parents
     double sum = 0;
     for (std::size_t n = 0; n < bore_.size(); ++n)
       if (bore_[n] && mesh_.owns(n))
@@ -116,6 +118,7 @@ namespace wheelrail
   StaticSystem::set_springs(const std::vector<Contact::Spring> &springs)
   {
     multigrid_->set_springs(springs);
+    // B r: how much a rigid vertical displacement of 1 m stretches each spring
     rigid_stretch_ = multigrid_->finest().springs().stretch(rigid_.begin());
     find_lift_response();
   }
@@ -126,7 +129,9 @@ namespace wheelrail
   {
     // a rigid vertical displacement of the wheel moves all its nodes against the forces
     // right side of the hub displacement: r' f + bore force
-    const Unknowns     load  = unknowns(forces, forces * rigid_ + bore);
+    const Unknowns load = unknowns(forces, forces * rigid_ + bore);
+    // | K + B'CB   B'C B r | |x|   | f           |
+    // | r'B'C B    r'B'CBr | |U| = | r'f + bore  |   symmetric, positive definite once a node touches
     Unknowns           x     = unknowns(zero(), 0);
     const unsigned int steps = conjugate_gradients(
       [this](Unknowns &y, const Unknowns &of) {
@@ -139,6 +144,7 @@ namespace wheelrail
       tolerance * load.l2_norm(),
       x);
     step = {x.block(0), hub_displacement(x)};
+    // u = x + U r at the free nodes
     step.increment.add(step.hub_displacement, rigid_);
     return steps;
   }
@@ -212,6 +218,7 @@ namespace wheelrail
     if (parts_.springs().empty())
       return;
     parts_.add_stiffness(x.begin(), y.begin());
+    // K_p x with the parts' own unknowns in equilibrium (static condensation)
     y.zero_out_ghost_values(); // parts reach all nodes of the rank
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       if (held_[n])
@@ -243,6 +250,8 @@ namespace wheelrail
                                     const double          enough,
                                     Values               &x)
   {
+    // Polak and Ribiere's factor in place of Fletcher and Reeves': the coarse solver by rough conjugate
+    // gradients is not quite linear, and with the plain one directions lose their conjugacy
     dealii::SolverControl                 control(500, enough, false, false);
     dealii::PrimitiveVectorMemory<Values> memory; // others keep their vectors
     dealii::LinearOperator<Values>        matrix, inverse;
@@ -281,6 +290,8 @@ namespace wheelrail
   void
   StaticSystem::find_lift_response()
   {
+    // Why it serves: the softest motion of all is the wheel that goes up and down on its contact. A cycle
+    // with the bore held has no part of it, and without w conjugate gradients would find it step by step.
     constexpr double tolerance = 0.01;
     Vector           load = zero(), image = zero();
     // w = (x, 1) with K (x, 1) = 0 in all rows of nodes: K x = -K r
@@ -296,7 +307,8 @@ namespace wheelrail
   element_forces_at_rest(Solid &solid)
   {
     AlignedVector<double> force(solid.force.size(), 0.);
-    ElementEnergy         ignored;
+    // no bulk viscosity: velocities are those of the start, not of this search
+    ElementEnergy ignored;
     subtract_internal_force(
       solid.blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
     condense(solid.mesh, force.data());

@@ -33,6 +33,8 @@ namespace wheelrail
       explicit CornerOrder(const SweptGrid &grid)
         : place(grid.n_corners())
       {
+        // Band width of a section = largest distance of two corners of a block in this order; the cost of a
+        // factor grows with the square of the whole band.
         dealii::DynamicSparsityPattern touching(grid.n_corners(), grid.n_corners());
         for (int b = 0; b < grid.n_blocks(); ++b)
           for (const unsigned int p : grid.corners(b))
@@ -56,6 +58,8 @@ namespace wheelrail
                     const Elasticity &material,
                     const ElementForm form)
     {
+      // K of the element at rest [N/m], vertices 0 to 3 on the section before, 4 to 7 on that behind; columns
+      // of a wheel are alike but for the directions
       const Stiffness K =
         element_stiffness(element_geometry(grid.coarse_vertices(block, column)), material, form);
       const std::array<Vector3, 3> axes[2] = {grid.axes(column), grid.axes(column + 1)};
@@ -87,6 +91,8 @@ namespace wheelrail
       for (int p = 0; p < 8; ++p)
         for (int q = 0; q < 8; ++q)
           {
+            // lower half alone; rows and columns of held vertices stay empty, and hold() puts 1 on their
+            // diagonal
             if (held(p) || held(q) || row(p) < row(q))
               continue;
             const Number share = factor(p, q);
@@ -122,10 +128,12 @@ namespace wheelrail
         const std::size_t n_corners = order_.place.size();
         matrix_ = BandCholesky<double>(3 * n_corners * n_sections_, 3 * (n_corners + order_.band) + 2);
         sorted_.resize(3 * n_corners * n_sections_);
+        // 1. Elements, column by column along the rail
         for (int column = 0; column < grid.n_columns(); ++column)
           for (int b = 0; b < grid.n_blocks(); ++b)
             {
               const auto &corner = grid.corners(b);
+              // vertices 0 to 3 and 4 to 7 of a block are the same corners of the section, one sector apart
               add_stiffness(
                 matrix_,
                 block_stiffness(grid, b, column, material, form),
@@ -133,6 +141,7 @@ namespace wheelrail
                 [&](const int v) { return held[n_corners * (column + v / 4) + corner[v % 4]]; },
                 [](int, int) { return 1.; });
             }
+        // 2. Held nodes and springs to the ground
         for (int section = 0; section < n_sections_; ++section)
           for (unsigned int c = 0; c < n_corners; ++c)
             if (const std::size_t n = n_corners * section + c; held[n])
@@ -141,12 +150,14 @@ namespace wheelrail
               for (int i = 0; i < 3; ++i)
                 // diagonal springs of the ground [N/m]
                 matrix_(index(c, section) + i, index(c, section) + i) += ground[n][i];
+        // 3. L L', once a mesh
         matrix_.factorise();
       }
 
       void
       solve(std::vector<double> &x) override
       {
+        // into the order of the band, solved there, and back
         exchange(x, [](double &from, double &to) { to = from; });
         matrix_.solve(sorted_.data());
         exchange(x, [](double &to, double &from) { to = from; });
@@ -181,6 +192,8 @@ namespace wheelrail
     {
     public:
       RingTransform(const int n_sectors, const int n_unknowns)
+        // Layout: unknown fastest, sector slowest (stride n_unknowns, distance 1), so that a harmonic of all
+        // unknowns follows in one piece. FFTW: X_m = sum x_k exp(-2 pi i m k/n), no factor 1/n.
         : real(fftw_alloc_real(std::size_t(n_sectors) * n_unknowns))
         , spectrum(fftw_alloc_complex(std::size_t(n_sectors / 2 + 1) * n_unknowns))
         , forward(fftw_plan_many_dft_r2c(1,
@@ -244,9 +257,11 @@ namespace wheelrail
         , transform_(n_sectors_, n_unknowns_)
       {
         const std::size_t n_corners = grid.n_corners();
+        // 1. The bore is held all around, or the matrix were not circulant
         for (std::size_t n = n_corners; n < held.size(); ++n)
           if (held[n] != held[n % n_corners])
             throw std::logic_error("a wheel is held at a part of a circle");
+        // 2. Axes of each sector's section, and one sector's elements
         for (int k = 0; k < n_sectors_; ++k)
           axes_.push_back(grid.axes(k));
         std::vector<Stiffness> blocks;
@@ -258,6 +273,8 @@ namespace wheelrail
             // u_k = sum over m of U_m exp(i m 2 pi k/n): equal sectors, in axes that turn with them, leave
             // each m by itself; K_m = sum of blocks times exp(i (q - p) 2 pi m/n), p, q the sides of the
             // block. Real fields need m = 0 ... n/2.
+            // band of one section: a sector is coupled to its neighbours by the phase alone, which adds no
+            // unknowns
             auto &matrix = harmonics_.emplace_back(n_unknowns_, 3 * order_.band + 2);
             for (int b = 0; b < grid.n_blocks(); ++b)
               add(matrix, blocks[b], grid.corners(b), held, 2 * M_PI * m / n_sectors_);
@@ -271,10 +288,12 @@ namespace wheelrail
       void
       solve(std::vector<double> &x) override
       {
+        // in the directions of the track sectors would not be alike
         turn(x, [](const Vector3 &axis, double *of_track, double &own) {
           // components in the axes of the sector
           own = axis[0] * of_track[0] + axis[1] * of_track[1] + axis[2] * of_track[2];
         });
+        // forces f_k to F_m; K_m U_m = F_m for each harmonic; displacements U_m back to u_k
         fftw_execute(transform_.forward);
         for (std::size_t m = 0; m < harmonics_.size(); ++m)
           harmonics_[m].solve(transform_.harmonic(m * n_unknowns_));
@@ -335,8 +354,11 @@ namespace wheelrail
                     const std::vector<unsigned char> &held,
                     const std::vector<Vector3>       &ground)
   {
+    // a rail is open along the track, a wheel a closed ring
     if (grid.body() == Body::rail)
       return std::make_unique<RailSolver>(grid, material, form, held, ground);
+    // springs of a wheel to the ground are left out: at a part of a circle they would spoil the circulant
+    // matrix
     return std::make_unique<WheelSolver>(grid, material, form, held);
   }
 
@@ -344,6 +366,7 @@ namespace wheelrail
   double
   swept_solver_memory(const SweptGrid &grid)
   {
+    // numbers of the factors: unknowns times band
     const double n = 3. * grid.n_corners(), band = 3. * CornerOrder(grid).band;
     // n band^2-sized factors: complex ones for n/2 + 1 harmonics of a section, or one along all sections
     // [bytes]

@@ -28,6 +28,8 @@ namespace wheelrail
   UnloadedBodies
   unload(const Discretization &discretization, Solid &solid, const SceneParts &parts, const Axle &axle)
   {
+    // of the first residual; `of_step` of each linear solution: modified Newton with the elastic stiffness
+    // takes few steps where little yields in reverse
     constexpr double       enough = 1e-5, of_step = 1e-3;
     constexpr unsigned int most_steps = 40;
     const WheelAxes        axes(axle);
@@ -35,6 +37,7 @@ namespace wheelrail
     // positions in the axes that turn with the wheel: its rotation is no load
     axes.to_wheel(solid);
     StaticSystem system(discretization, solid, parts);
+    // no contact: bore and foot hold the bodies
     system.set_springs({});
     unsigned int cg_steps = 0;
     double       first    = 0;
@@ -42,6 +45,7 @@ namespace wheelrail
       {
         const NodeVector force = out_of_balance(solid, loaded.flow(), system);
         const double     norm  = force.l2_norm();
+        // with nothing out of balance at first there is nothing to do
         if (steps == 0)
           first = norm;
         // over the forces that the taken-off loads leave at first
