@@ -3,11 +3,14 @@
 
 #include <set>
 
+// Nodes with boundary conditions: foot, bore, ends, running surface (marks of doc/theory/mesh.md, Sections of
+// blocks).
 namespace wheelrail
 {
   std::vector<unsigned int>
   boundary_nodes(const LocalMesh &mesh, const Boundary mark)
   {
+    // ascending: sums over these nodes have one order
     std::set<unsigned int> nodes;
     for (const auto &face : mesh.faces)
       if (face.mark == mark)
@@ -19,6 +22,8 @@ namespace wheelrail
   std::vector<unsigned int>
   held_boundary_nodes(const LocalMesh &mesh, const Boundary mark)
   {
+    // A node on the border of ranks may have its marked face on another rank alone: without the sum over
+    // ranks one would hold it and the other would move it.
     AlignedVector<double> marked(4 * mesh.n_nodes(), 0.);
     for (const unsigned int n : boundary_nodes(mesh, mark))
       marked[4 * n] = 1;

@@ -19,6 +19,7 @@ namespace wheelrail
     using Vector = std::array<double, 3>;
     using Matrix = std::array<Vector, 3>;
 
+    // lexicographic: bit k of the node's number gives the side along xi_k
     constexpr int sign[8][3] =
       {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
 
@@ -26,6 +27,7 @@ namespace wheelrail
     std::array<double, 4>
     hourglass(const int a)
     {
+      // the patterns have no gradient at the centre: sum over a of h_m(a) = 0 and sum of h_m(a) xi_a = 0
       const double xi = sign[a][0], eta = sign[a][1], zeta = sign[a][2];
       // h_1 ... h_4 of doc/theory/element.md, Uniform gradients: what one point does not see
       return {eta * zeta, zeta * xi, xi * eta, xi * eta * zeta};
@@ -35,6 +37,7 @@ namespace wheelrail
     Matrix
     jacobian(const std::array<Vector, 8> &X, const Vector &xi)
     {
+      // J[k] is the column dX/dxi_k: edges of the cell, halved
       Matrix J{};
       for (int a = 0; a < 8; ++a)
         for (int k = 0; k < 3; ++k)
@@ -62,8 +65,10 @@ namespace wheelrail
           // Q^-T = cofactor/det Q
           const Matrix cofactor = {cross(Q[1], Q[2]), cross(Q[2], Q[0]), cross(Q[0], Q[1])};
           const double det      = dot(Q[0], cofactor[0]);
-          const double scale    = std::pow(std::abs(det), -1. / 3);
-          double       change   = 0;
+          // a cell of millimetres has J of the order 1e-3: unscaled, the first step would leap to J^-T/2 =
+          // 500, and nine more would halve that
+          const double scale  = std::pow(std::abs(det), -1. / 3);
+          double       change = 0;
           for (int k = 0; k < 3; ++k)
             for (int i = 0; i < 3; ++i)
               {
@@ -81,6 +86,7 @@ namespace wheelrail
     void
     add_gauss_point(const std::array<Vector, 8> &X, const Vector &xi, ElementGeometry &g)
     {
+      // det J at the point is its share of the volume [m3], since all weights are 1
       const Matrix J        = jacobian(X, xi);
       const Matrix cofactor = {cross(J[1], J[2]), cross(J[2], J[0]), cross(J[0], J[1])};
       // J^-T det J: dN/dX = sum over k of dN/dxi_k cofactor_k/det J, so that det J cancels in the integral
@@ -114,6 +120,7 @@ namespace wheelrail
   ElementGeometry
   element_geometry(const std::array<Vector, 8> &vertices)
   {
+    // 1. Volume, mean gradients and nodal volumes
     ElementGeometry g{};
     g.vertices = vertices;
     // 2 x 2 x 2 Gauss points, weights 1: exact for integrals of dN/dX and N over a trilinear cell
@@ -125,6 +132,7 @@ namespace wheelrail
         // B_a = (1/V) integral dN_a/dX dV (Flanagan and Belytschko 1981)
         component /= g.volume;
 
+    // 2. What stabilisation needs: h_m X, axes A, half lengths l_k
     for (int a = 0; a < 8; ++a)
       for (int m = 0; m < 4; ++m)
         for (int i = 0; i < 3; ++i)
@@ -153,6 +161,7 @@ namespace wheelrail
           S[i][j] += b[i] * b[j];
     // largest eigenvalue of a symmetric 3x3 matrix by the trigonometric formula (Smith 1961)
     // lambda_max = mean + 2 p cos(acos(det((S - mean 1)/p)/2)/3), p^2 = tr((S - mean 1)^2)/6
+    // 1. s, the largest eigenvalue [1/m2]: 4/h^2 for a cube of edge h
     const double p1   = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
     const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
     const double p2 =
@@ -172,6 +181,7 @@ namespace wheelrail
         largest += 2 * p * std::cos(std::acos(r) / 3);
       }
     // omega^2 = (lambda + 2 mu) s V/(rho V_min) of doc/theory/element.md, Stable step; (2 c_p/h)^2 for a cube
+    // 2. The lightest node of the cell, V_min, sets the pace
     const double smallest_share = *std::min_element(g.node_volume.begin(), g.node_volume.end());
     return (material.lame_lambda() + 2 * material.shear_modulus()) * largest * g.volume /
            (material.density * smallest_share);
@@ -201,6 +211,7 @@ namespace wheelrail
     for (std::size_t slot = 0; slot < n_batches * width; ++slot)
       {
         const std::size_t batch = slot / width, lane = slot % width;
+        // 1. Nodes of the lane; fillers read those of the first element, so that no address is out of range
         const bool        filler = slot >= cells.size();
         const std::size_t e      = filler ? batch * width : slot;
         double           *data   = blocks.data.data() + batch * ElementBlocks::fields * width + lane;
@@ -208,6 +219,7 @@ namespace wheelrail
           blocks.nodes[(batch * 8 + a) * width + lane] = cells[e][a];
         if (filler)
           continue; // zero gradients, volume and half lengths give zero force
+        // 2. 50 rows: B_a 24, V 1, h_m X 12, axes 9, c_k sqrt(V/3) 3, L 1 (doc/theory/element.md, SIMD)
         const ElementGeometry &g     = geometry[e];
         int                    field = 0;
         const auto             put   = [&](const double value) { data[width * field++] = value; };
@@ -236,6 +248,7 @@ namespace wheelrail
   {
     blocks.law                  = law;
     const std::size_t n_batches = blocks.plastic() ? blocks.n_batches() : 0;
+    // zeros are the virgin state of all laws: E_p, back stresses, a and plastic amplitudes
     blocks.history.assign(n_batches * blocks.history_rows() * blocks.width, 0.);
     blocks.plastic_work.assign(n_batches * blocks.width, 0.);
     blocks.flowed.assign(n_batches, 0);
@@ -245,6 +258,7 @@ namespace wheelrail
   void
   mark_flowed(ElementBlocks &blocks)
   {
+    // a batch without flow is not loaded nor stored by the kernel; the mark says which have flowed
     const std::size_t size = std::size_t(blocks.history_rows()) * blocks.width;
     for (std::size_t batch = 0; batch < blocks.flowed.size(); ++batch)
       {

@@ -27,6 +27,8 @@ namespace wheelrail
     std::array<Vector, 4>
     hourglass_law(const ElementGeometry &g, const Elasticity &material, const std::array<Vector, 4> &p)
     {
+      // Q is linear in p: W = (1/2) p . Q(p), so that calling the kernel's law with unit amplitudes gives its
+      // matrix
       double rows[ElementBlocks::fields] = {};
       for (int k = 0; k < 3; ++k)
         rows[reduced::inverse_half_row + k] = reduced::scaled_inverse_half(g.volume, g.half[k]);
@@ -49,6 +51,8 @@ namespace wheelrail
     std::array<std::array<double, 4>, 8>
     blind_patterns(const ElementGeometry &g)
     {
+      // gamma_m is orthogonal to all linear fields (Flanagan and Belytschko 1981): sum over a of gamma_m(a) =
+      // 0 and sum of gamma_m(a) X_a = 0, so that these have no stabilisation energy
       std::array<std::array<double, 4>, 8> gamma;
       for (int a = 0; a < 8; ++a)
         for (int m = 0; m < 4; ++m)

@@ -67,9 +67,12 @@ namespace wheelrail
       term.value = values[k++];
     // residual = stored + dissipated - supplied, less the same at the first step; over strain plus dissipated
     // energy, since the kinetic energy of rolling is a hundred thousand times as large
+    // signs: supplied works are positive when they add energy, dissipated ones when they take it
+    // (doc/manual/signs.md, Works and energies)
     const double total = stored() + dissipated() - supplied();
     if (!state_.started)
       state_.start = total;
+    // the first balance is the reference: the start may bring any energy
     state_.started = true;
     residual_      = total - state_.start;
     state_.error   = std::abs(residual_) / ((*this)["strain_energy"] + dissipated());
@@ -79,6 +82,7 @@ namespace wheelrail
   EnergyBalance::State
   EnergyBalance::state() const
   {
+    // stored energies follow from the state itself; works are sums over time and have to be kept
     State state = state_;
     for (const EnergyTerm &term : terms_)
       if (term.kind != EnergyKind::stored)
@@ -90,6 +94,7 @@ namespace wheelrail
   void
   EnergyBalance::set_state(const State &state)
   {
+    // [J]; parts add to `here` and to the works on each rank, the balance sums them over all
     for (EnergyTerm &term : terms_)
       if (const auto found = state.works.find(term.name); found != state.works.end())
         term.work = found->second;

@@ -50,6 +50,7 @@ namespace wheelrail
     ElementPoints
     element_points(const ElementBlocks &blocks, const std::size_t element, const double *displacement)
     {
+      // W = 1: the kernel's own functions on one element
       const std::size_t W = blocks.width, batch = element / W, lane = element % W;
       double            row[full::fields];
       for (int r = 0; r < full::fields; ++r)
@@ -58,11 +59,13 @@ namespace wheelrail
       for (int a = 0; a < 8; ++a)
         for (int i = 0; i < 3; ++i)
           u[a][i] = displacement[4 * blocks.nodes[(batch * 8 + a) * W + lane] + i];
+      // the map and the displacements have the same shape functions (isoparametric)
       full::Derivatives<1> dX, du;
       full::reference_derivatives<1>(row, dX);
       full::nodal_derivatives<1>(u, du);
       ElementPoints points;
-      double        dilatation = 0;
+      // 1. Points with their own strains; 2. one dilatation for all
+      double dilatation = 0;
       for (int g = 0; g < 8; ++g)
         {
           auto &p = points.point[g];
@@ -82,6 +85,7 @@ namespace wheelrail
     std::array<double, 9>
     gradient(const full::Point<1> &point)
     {
+      // H = F - 1
       std::array<double, 9> H;
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -114,12 +118,16 @@ namespace wheelrail
         const std::size_t batch = slot / width, lane = slot % width;
         const bool        filler = slot >= cells.size();
         const std::size_t e      = filler ? batch * width : slot;
-        auto              row    = geometry_rows(geometry[e].vertices);
+        // 21 coefficients of the trilinear map: Jacobians computed from them in the kernel cost less than
+        // loading eight (doc/theory/element.md, The full element)
+        auto row = geometry_rows(geometry[e].vertices);
+        // L = 2 c_p/omega, as of the reduced element
         row[full::length_row] =
           2 * material.wave_speed() / std::sqrt(element_frequency_bound(geometry[e], material));
         for (int r = 0; r < full::fields; ++r)
           blocks.data[(batch * full::fields + r) * width + lane] = row[r];
         for (int a = 0; a < 8; ++a)
+          // a filler has all nodes at one place: no strain, no force
           blocks.nodes[(batch * 8 + a) * width + lane] = cells[e][filler ? 0 : a];
       }
     set_law(blocks, law);
@@ -130,6 +138,7 @@ namespace wheelrail
   std::array<std::array<double, 6>, 8>
   full_point_stress(const ElementBlocks &blocks, const std::size_t element, const double *displacement)
   {
+    // sigma = F_g S_g F_g'/det F_g of each point, with Ebar_g in the law and the true F_g [Pa]
     const ElementPoints                  points = element_points(blocks, element, displacement);
     std::array<std::array<double, 6>, 8> stress;
     for (int g = 0; g < 8; ++g)
@@ -159,7 +168,9 @@ namespace wheelrail
   std::array<double, 9>
   full_mean_gradient(const ElementBlocks &blocks, const std::size_t element, const double *displacement)
   {
-    const ElementPoints   points = element_points(blocks, element, displacement);
+    const ElementPoints points = element_points(blocks, element, displacement);
+    // mean of the true gradients, not of those with the cell's dilatation: the integral of du/dX over the
+    // cell
     std::array<double, 9> H{};
     for (const auto &p : points.point)
       for (int k = 0; k < 9; ++k)
@@ -171,6 +182,8 @@ namespace wheelrail
   std::array<double, 24 * 24>
   full_element_stiffness(const std::array<Vector, 8> &vertices, const Elasticity &material)
   {
+    // K = sum over g of w_g (2 mu dev B_g : dev B_g) + (bulk/V) (integral tr B)^2: shear at eight points,
+    // dilatation once in the cell (B-bar of Hughes 1980, at rest)
     const double         mu = material.shear_modulus(), bulk = material.bulk_modulus();
     const auto           rows = geometry_rows(vertices);
     full::Derivatives<1> dX, still{};

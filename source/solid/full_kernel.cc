@@ -32,6 +32,8 @@ namespace wheelrail
         // 1. F_g, E_g at the eight points, dilatation theta of the cell, Ebar_g (doc/theory/element.md, The
         // full element)
         gather<W>(call.displacement, nodes + a * W, u[a]);
+      // dX/dxi and du/dxi: each has four values for eight points, since it does not vary along its own
+      // direction
       Derivatives<W> dX, du;
       reference_derivatives<W>(call.blocks.data.data() + batch * fields * W, dX);
       nodal_derivatives<W>(u, du);
@@ -42,6 +44,7 @@ namespace wheelrail
           points.volume += p.weight;
           points.dilatation += p.weight * trace<W>(p.E);
         }
+      // theta = (1/V) sum of w_g tr E_g in place of tr E_g
       points.dilatation /= points.volume;
       for (auto &p : points.point)
         set_trace<W>(points.dilatation, p.E);
@@ -55,6 +58,7 @@ namespace wheelrail
                    const Points<W>       &points,
                    LaneEnergy<W>         &energy)
     {
+      // rows: theta of the step behind, its viscous stress [Pa]
       double *old = call.blocks.viscous.data() + batch * 2 * W;
       // b rho c_p L d(tr E)/dt, of the dilatation theta; its power is the mean of the stresses at both ends
       // of the step times the rate, exact in central differences
@@ -81,13 +85,16 @@ namespace wheelrail
             Simd<W>       &work,
             LaneEnergy<W> &energy)
     {
+      // each of the eight points has a history of its own
       double *rows = call.blocks.history.data() + (batch * 8 + g) * call.law.history_rows() * W;
+      // a batch that has never flowed has zeros: nothing to load
       typename Law::template History<Simd<W>> history(call.law);
       Simd<W>                                 density(0.);
       if (flowed)
         history.load(rows);
       // trial and radial return on Ebar_g (doc/manual/material.md, Theory)
       const bool flows = point_response(call.law, point.E, history, S, density);
+      // a batch in which nothing flows leaves its history as it is
       if (flows)
         {
           history.store(rows);
@@ -117,6 +124,8 @@ namespace wheelrail
           // 2. bulk viscosity
           viscous = viscous_stress<W>(call, batch, points, energy);
 
+        // N: stresses that work on du/dxi [N]; forces at the nodes follow from them by the transpose of
+        // nodal_derivatives()
         Derivatives<W> N;
         for (auto &direction : N)
           for (auto &value : direction)
@@ -134,11 +143,13 @@ namespace wheelrail
             // mean.
             flows = respond<W, with_energy>(call, batch, g, p, flowed, S, work, energy) || flows;
             for (int k = 0; k < 3; ++k)
+              // a pressure of the whole cell
               S[k] += viscous;
             add_point_stress<W>(p, S, g, N);
           }
         if constexpr (has_history<Law>)
           {
+            // [J] of the element since the start
             double *total = call.blocks.plastic_work.data() + batch * W;
             if (flows)
               {

@@ -37,7 +37,9 @@ namespace wheelrail
             displacement_[4 * n + i] =
               // u = M^-1/2 x; eigenvalues of M^-1/2 K M^-1/2 are omega^2, K from the kernel's own forces
               solid_.mass[n] > 0 ? small * x[4 * n + i] / std::sqrt(solid_.mass[n]) : 0.;
+        // hanging nodes follow, their forces go to the parents: K of the nodes that move
         distribute(solid_.mesh, displacement_.data());
+        // y = M^-1/2 K M^-1/2 x; the kernel subtracts, hence the sign below
         y.assign(4 * solid_.mass.size(), 0.);
         ElementEnergy ignored;
         subtract_internal_force(
@@ -52,8 +54,10 @@ namespace wheelrail
       double
       dot(const AlignedVector<double> &a, const AlignedVector<double> &b) const
       {
+        // a dot b over all ranks, of four numbers a node the first three
         double sum = 0;
         for (std::size_t n = 0; n < solid_.mass.size(); ++n)
+          // each node once, on the rank that owns it
           if (solid_.mesh.owns(n))
             for (int i = 0; i < 3; ++i)
               sum += a[4 * n + i] * b[4 * n + i];
@@ -87,8 +91,10 @@ namespace wheelrail
   {
     ScaledStiffness       K(solid, communicator);
     AlignedVector<double> v = K.start(), before(v.size(), 0.), w;
-    std::vector<double>   diagonal, off_diagonal;
-    double                beta = std::sqrt(K.dot(v, v));
+    // Lost orthogonality of the Lanczos vectors gives copies of eigenvalues already found, which do not
+    // change the largest one: no vector but the last two is kept.
+    std::vector<double> diagonal, off_diagonal;
+    double              beta = std::sqrt(K.dot(v, v));
     for (int step = 0; step < steps && beta > 0; ++step)
       {
         for (double &value : v)
@@ -108,6 +114,7 @@ namespace wheelrail
           break;
         off_diagonal.push_back(beta);
       }
+    // Ritz values: eigenvalues of the tridiagonal matrix
     dealii::TridiagonalMatrix<double> ritz(diagonal.size(), true);
     for (unsigned int k = 0; k < diagonal.size(); ++k)
       {
@@ -123,6 +130,7 @@ namespace wheelrail
   void
   lower_stable_step(Solid &solid, const double bulk_viscosity, MPI_Comm communicator)
   {
+    // only ever lowered: where the mesh is slower than its elements, their bound stays
     const double step = stable_step(highest_frequency(solid, communicator), bulk_viscosity);
     if (step < solid.stable.step)
       {
@@ -139,6 +147,8 @@ namespace wheelrail
     for (const auto &part : parts)
       // omega^2 of the whole is at most the sum of that of the bodies and those of the parts
       added += part->squared_frequency(solid);
+    // springs and masses of parts stand on the same nodes: energies and inertias add up, and the quotient of
+    // sums is no larger than the sum of the quotients
     const double bodies = 2 / solid.stable.step; // with their viscosity
     if (added > 0)
       {

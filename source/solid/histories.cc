@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+// What elements remember from step to step (plastic strains, back stresses, plastic amplitudes, dilatation of
+// the bulk viscosity; doc/theory/element.md, doc/manual/material.md), for saved states and changes of the
+// mesh.
 namespace wheelrail
 {
   namespace
@@ -10,6 +13,9 @@ namespace wheelrail
     std::size_t
     packed_place(const std::size_t e, const unsigned int width, const unsigned int components)
     {
+      // Lanes of a batch are fastest: number i of element e stands at (e / W) W n + i W + e % W, so that a
+      // kernel loads one number of W elements at once. Outside the n numbers of an element follow one
+      // another.
       return e / width * width * components + e % width;
     }
   } // namespace
@@ -21,12 +27,14 @@ namespace wheelrail
     std::map<std::string, NumberedValues> all;
     for (const Body body : both_bodies)
       visit_histories(solid.blocks[body], [&](const char *name, const unsigned int n, const auto &) {
+        // 1. The longest row of both bodies, which may have different forms or laws
         all[name].components = std::max(all[name].components, n);
       });
     for (auto &entry : all)
       entry.second.values.resize(entry.second.components * solid.mesh.cells.size());
     for (const Body body : both_bodies)
       {
+        // 2. Numbers of each element, in the order of the rank's cells
         const ElementBlocks &blocks = solid.blocks[body];
         visit_histories(blocks,
                         [&](const char *name, const unsigned int n, const AlignedVector<double> &packed) {
@@ -56,6 +64,7 @@ namespace wheelrail
                 packed[packed_place(e, blocks.width, n) + i * blocks.width] = values[i];
             }
         });
+        // which batches have flowed follows from the histories: any number that is not zero
         mark_flowed(blocks);
       }
   }

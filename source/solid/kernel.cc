@@ -34,6 +34,7 @@ namespace wheelrail
                           const bool              with_energy,
                           ElementEnergy          &energy)
   {
+    // each body has its own law and element form; both add to the same nodal forces
     for (const Body body : both_bodies)
       subtract_internal_force(blocks[body], displacement, force, viscosity, with_energy, energy);
   }
@@ -44,6 +45,7 @@ namespace wheelrail
   {
     if (blocks.form == ElementForm::full)
       return full_mean_gradient(blocks, element, displacement);
+    // the 24 first rows are B_a
     const std::size_t W = blocks.width, batch = element / W, lane = element % W;
     const double     *B = blocks.data.data() + batch * blocks.rows * W + lane;
     // H_ij = sum of u_ai B_aj, uniform over the element (Flanagan and Belytschko 1981; doc/theory/element.md)
@@ -59,8 +61,10 @@ namespace wheelrail
   std::vector<std::array<double, 6>>
   element_stress(const ElementBlocks &blocks, const double *displacement)
   {
+    // Cauchy stresses of the elements at the centres [Pa], tension positive
     std::vector<std::array<double, 6>> result(blocks.n_elements);
-    constexpr int                      row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
+    // order xx, yy, zz, yz, xz, xy; E_xy is the component of the tensor, half the change of the angle
+    constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
     for (std::size_t e = 0; e < blocks.n_elements; ++e)
       {
         if (blocks.form == ElementForm::full)
@@ -68,6 +72,7 @@ namespace wheelrail
             result[e] = full_mean_stress(blocks, e, displacement);
             continue;
           }
+        // F = 1 + H is uniform over the element: one stress
         const auto Hij = element_gradient(blocks, e, displacement);
         // Green and Lagrange's strain, E = (H + H' + H' H)/2
         Simd<1> E[6], S[6];
@@ -75,12 +80,15 @@ namespace wheelrail
           {
             const int i = row[k], j = column[k];
             double    value = Hij[3 * i + j] + Hij[3 * j + i];
+            // H' H: without it a rotation would strain
             for (int l = 0; l < 3; ++l)
               value += Hij[3 * l + i] * Hij[3 * l + j];
             E[k] = 0.5 * value;
           }
         // S of the law with the history of the point; then sigma = F S F'/det F
         point_stress(blocks, e, 0, E, S);
+        // of the one-point field: the stabilisation's stresses are not shown (doc/theory/element.md, Stresses
+        // at nodes)
         result[e] = cauchy_stress(Hij, S);
       }
     return result;

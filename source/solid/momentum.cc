@@ -78,13 +78,16 @@ namespace wheelrail
       RigidField
       field(const Vector3 &momentum, const Vector3 &angular) const
       {
+        // Least squares of a rigid field to velocities with masses as weights: the field that has the same
+        // linear and angular momentum.
         RigidField field;
         if (!(sums[mass] > 0))
           return field;
         // v = P/M, omega = I^-1 (L - c x P)
-        const double M  = sums[mass];
-        field.centre    = (1 / M) * three(first);
-        field.velocity  = (1 / M) * momentum;
+        const double M = sums[mass];
+        field.centre   = (1 / M) * three(first);
+        field.velocity = (1 / M) * momentum;
+        // spin about the centre of mass
         const Vector3 l = angular - cross(field.centre, momentum);
         // second moments about the centre: xx, xy, xz, yy, yz, zz
         std::array<double, 6> s;
@@ -93,6 +96,7 @@ namespace wheelrail
           for (int j = i; j < 3; ++j, ++k)
             // Steiner: second moments about the centre of mass
             s[k] = sums[second + k] - M * field.centre[i] * field.centre[j];
+        // scaled by the trace of the second moments, so that the limit below has no unit
         const double         size    = s[0] + s[3] + s[5];
         const double         I[3][3] = {// inertia I = sum of m (x.x 1 - x (x) x); omega = I^-1 L
                                 {s[3] + s[5], -s[1], -s[2]},
@@ -127,6 +131,7 @@ namespace wheelrail
             const std::vector<NodeInertia> *inertia,
             MPI_Comm                        communicator)
     {
+      // positions of the moment, x = X + u: angular momentum is that of the deformed bodies
       Moments moments;
       for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
         if (solid.mesh.owns(n) && mass[4 * n + part] > 0 && (!inertia || (*inertia)[n].inverse_mass > 0))
@@ -147,6 +152,7 @@ namespace wheelrail
       for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
         if (solid.mesh.cell_body[c] == body)
           {
+            // columns 0 and 1: mass of changed cells behind and ahead of the middle; 2: of all cells [kg]
             const bool changed = is_changed(solid.mesh.cell_key[c]);
             double     z       = 0;
             for (const unsigned int n : solid.mesh.cells[c])
@@ -170,6 +176,7 @@ namespace wheelrail
     void
     join_sides(AlignedVector<double> &before, AlignedVector<double> &after, MPI_Comm communicator)
     {
+      // nodes with mass behind, ahead, on both sides
       std::array<double, 3> have{};
       for (std::size_t k = 0; k < after.size(); k += 4)
         {
@@ -184,6 +191,7 @@ namespace wheelrail
       for (AlignedVector<double> *mass : {&before, &after})
         for (std::size_t k = 0; k < mass->size(); k += 4)
           {
+            // a node between both sides would get the fields of both
             (*mass)[k] += (*mass)[k + 1];
             (*mass)[k + 1] = 0;
           }
@@ -222,11 +230,14 @@ namespace wheelrail
     constexpr int all = 2; // part of nodal_mass()
     for (const Body body : both_bodies)
       {
+        // masses of the two meshes differ by what chords of other cells gain or lose against the true profile
         auto mass_before = nodal_mass(before, body, is_changed, middle);
         auto mass        = nodal_mass(after, body, is_changed, middle);
         join_sides(mass_before, mass, communicator);
         for (int side = 0; side < 2; ++side)
           {
+            // fields from the masses of either mesh alone, so that a rigid motion of the whole gives wanted =
+            // have and nothing changes
             const Moments was = moments(before, mass_before, side, nullptr, communicator),
                           is  = moments(after, mass, side, nullptr, communicator);
             if (!(was.sums[0] > 0 && is.sums[0] > 0))
@@ -254,6 +265,7 @@ namespace wheelrail
               const double                    time_step,
               MPI_Comm                        communicator)
   {
+    // [J] at the full step n, from velocities at n - 1/2; bulk viscosity left out, which stores nothing
     distribute(solid.mesh, solid.velocity.data());
     AlignedVector<double> force(4 * solid.mesh.n_nodes(), 0.);
     ElementEnergy         energy;

@@ -29,6 +29,8 @@ namespace wheelrail
       Four             *f       = reinterpret_cast<Four *>(solid.force.data());
       const std::size_t n_nodes = inertia.size();
       double            kinetic = 0;
+      // velocities, displacements and the forces of the next step in one pass: each array is read from memory
+      // once
       for (std::size_t n = 0; n < n_nodes; ++n)
         {
           const double inverse = inertia[n].inverse_mass;
@@ -54,6 +56,9 @@ namespace wheelrail
   } // namespace
 
 
+  // Mass-proportional damping of rate c [1/s], m v' = f - c m v, with v at n as the mean of both half steps:
+  // implicit, without loss of stable step. A run has c = 0: such damping would brake the rolling wheel
+  // (doc/theory/rolling.md, Axle, suspension, drive).
   VelocityUpdate
   make_velocity_update(const double duration, const double damping_rate)
   {
@@ -68,6 +73,7 @@ namespace wheelrail
   {
     std::vector<NodeInertia> inertia(solid.mesh.n_nodes());
     for (std::size_t n = 0; n < inertia.size(); ++n)
+      // hanging nodes have no mass: they stay without inverse mass and follow their parents
       if (solid.mass[n] > 0)
         // the added mass of the contact has inertia, no weight
         inertia[n].inverse_mass = 1 / (solid.mass[n] + solid.added_mass[n]);

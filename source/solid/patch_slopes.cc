@@ -16,6 +16,8 @@ namespace wheelrail::patches
     void
     add_moved(Moments &all, const Moments &m, const Vector3 &r, const double share)
     {
+      // Steiner's theorem for all moments: those about a node become those about the element's centre, so
+      // that nodes give sums once, and each element adds eight of them
       all.volume += share * m.volume;
       add(all.d, share, m.d);
       add(all.d, share * m.volume, r);
@@ -36,6 +38,7 @@ namespace wheelrail::patches
     {
       // spread of the centres about their mean, of the size V^(5/3), with a trifle that keeps a single layer
       // regular: half way between round-off and what would change a slope in the sixth digit
+      // G of element centres [Pa/m]: three unknown slopes for each of six stresses, one 3 x 3 matrix for all
       Rows C;
       for (int k = 0; k < 6; ++k)
         C[first_of[k]][second_of[k]] = C[second_of[k]][first_of[k]] =
@@ -43,6 +46,8 @@ namespace wheelrail::patches
       const double trifle = 1e-10 * std::pow(m.volume, 5. / 3);
       for (int i = 0; i < 3; ++i)
         C[i][i] += trifle;
+      // gradient.place is the middle of the patch seen from the element's centre: where this slope holds to
+      // second order
       const Rows      of_spread = inverse(C);
       ElementGradient gradient{{}, (1 / m.volume) * m.d};
       for (int k = 0; k < 6; ++k)
@@ -75,6 +80,8 @@ namespace wheelrail::patches
   std::vector<Moments>
   nodal_moments(const LocalMesh &mesh, const std::vector<Element> &elements)
   {
+    // sums are linear in the elements: ranks add theirs, and an element sees its whole patch though it lies
+    // on several ranks
     std::vector<Moments> moments(mesh.n_nodes());
     for (const Element &element : elements)
       for (const unsigned int node : *element.nodes)
@@ -84,6 +91,7 @@ namespace wheelrail::patches
           const Vector3 d = element.centre - mesh.place(node);
           const double  V = element.volume;
           m.volume += V;
+          // volume of elements that have flowed: gradients would cross the edge of the plastic zone
           m.flowed += element.flowed ? V : 0;
           add(m.d, V, d);
           for (int k = 0; k < 6; ++k)
@@ -108,6 +116,7 @@ namespace wheelrail::patches
   Rows
   inverse(const Rows &row)
   {
+    // of a symmetric matrix: columns of the cofactors may stand as rows
     const double det = determinant(row);
     return {(1 / det) * cross(row[1], row[2]),
             (1 / det) * cross(row[2], row[0]),
@@ -129,6 +138,8 @@ namespace wheelrail::patches
         for (const unsigned int node : *element.nodes)
           // patch of an element: all elements around its eight nodes, counted by their nodes
           add_moved(around, moments[node], mesh.place(node) - element.centre, share_of(moments[node], size));
+        // inside, 27 elements of which the middle one counts eight times, its neighbours over faces four,
+        // over edges two, over corners once
         gradients.push_back(slope(around));
       }
     return gradients;

@@ -17,10 +17,12 @@ namespace wheelrail
     typename Law::template History<Simd<1>>
     point_history(const Law &law, const ElementBlocks &blocks, const std::size_t element, const int point)
     {
+      // zeros where the law has none
       typename Law::template History<Simd<1>> history(law);
       if constexpr (has_history<Law>)
         {
-          const std::size_t   W = blocks.width, batch = element / W, lane = element % W;
+          const std::size_t W = blocks.width, batch = element / W, lane = element % W;
+          // rows of the batch, then those of the points before this one
           const std::size_t   first = batch * blocks.history_rows() + law.history_rows() * point;
           std::vector<double> rows(law.history_rows());
           for (int row = 0; row < law.history_rows(); ++row)
@@ -55,6 +57,7 @@ namespace wheelrail
       using Law = std::decay_t<decltype(law)>;
       if constexpr (has_history<Law>)
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          // a = integral of sqrt(2/3 dE_p : dE_p), the largest of the points
           for (int point = 0; point < blocks.n_points(); ++point)
             {
               const auto history = point_history(law, blocks, e, point);
@@ -73,7 +76,8 @@ namespace wheelrail
     const double s[3][3] = {
       {S[0][0], S[5][0], S[4][0]}, {S[5][0], S[1][0], S[3][0]}, {S[4][0], S[3][0], S[2][0]}};
     const double f[3][3] = {{H[0] + 1, H[1], H[2]}, {H[3], H[4] + 1, H[5]}, {H[6], H[7], H[8] + 1}};
-    const double J       = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1]) -
+    // dv/dV
+    const double J = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1]) -
                      f[0][1] * (f[1][0] * f[2][2] - f[1][2] * f[2][0]) +
                      f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
     constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
@@ -94,6 +98,7 @@ namespace wheelrail
   von_mises(const double *s)
   {
     // sqrt(3/2 dev s : dev s) (von Mises)
+    // order xx, yy, zz, yz, xz, xy; of Cauchy stresses [Pa]
     const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
     return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
   }

@@ -20,8 +20,10 @@ namespace wheelrail
       std::vector<double>   sums(width * solid.mesh.n_nodes()), means;
       for (const Body body : both_bodies)
         for (std::size_t e = 0; e < values[body].size(); ++e)
+          // value(node) = sum of V x value/sum of V
           for (const unsigned int node : solid.mesh.cells[solid.block_cells[body][e]])
             {
+              // reference volumes [m3]; at hanging nodes only the small cells around count
               const double V = solid.blocks[body].volume[e];
               for (std::size_t k = 0; k < n; ++k)
                 sums[width * node + k] += V * values[body][e][k];
@@ -32,6 +34,7 @@ namespace wheelrail
         for (std::size_t k = 0; k < n; ++k)
           {
             const double V = sums[width * node + n];
+            // single-valued: what is evaluated with it on both sides of a face agrees
             means.push_back(V > 0 ? sums[width * node + k] / V : 0);
           }
       return means;
@@ -42,6 +45,7 @@ namespace wheelrail
   std::vector<double>
   nodal_gradient(const Solid &solid, const double *field)
   {
+    // `field` is any nodal field of four numbers a node: displacements give H, velocities dF/dt
     PerBody<std::vector<std::array<double, 9>>> gradient;
     for (const Body body : both_bodies)
       {
@@ -57,6 +61,7 @@ namespace wheelrail
   std::vector<double>
   nodal_plastic_strain(const Solid &solid)
   {
+    // accumulated plastic strain a, of an element's points the largest
     PerBody<std::vector<std::array<double, 1>>> strain;
     for (const Body body : both_bodies)
       for (const double value : element_plastic_strain(solid.blocks[body]))

@@ -29,11 +29,13 @@ namespace wheelrail
                     CellHistory<Law, W> &history,
                     V3<W> (&Q)[4])
     {
+      // numbers of the centre, then the 12 plastic amplitudes of the patterns
       const int      n_rows = call.law.history_rows() + ElementBlocks::amplitude_rows;
       double        *rows   = call.blocks.history.data() + batch * n_rows * W;
       double        *work   = call.blocks.plastic_work.data() + batch * W;
       unsigned char &flowed = call.blocks.flowed[batch];
       Simd<W>        done(0.);
+      // the mark is of the whole batch: one lane that flows loads all
       if (flowed)
         history.load(rows);
       // centre and patterns flow back by the same fraction, on n^2 + m^2 + n m/4 (doc/theory/element.md,
@@ -79,6 +81,8 @@ namespace wheelrail
       const Simd<W> stabilisation = hourglass_stress<W>(g, elastic, call.law.elasticity, Q, square);
       if constexpr (with_energy)
         {
+          // apart: of bending over n cells the share 1/n^2 is called stabilisation
+          // (doc/theory/verification.md, Elastic)
           energy.strain += g.volume() * call.law.stored_energy(E, history.point, S);
           energy.stabilisation += stabilisation;
           if constexpr (has_history<Law>)
@@ -106,7 +110,8 @@ namespace wheelrail
                   Simd<W> (&S)[6],
                   LaneEnergy<W> &energy)
     {
-      double       *old  = call.blocks.viscous.data() + batch * 2 * W;
+      double *old = call.blocks.viscous.data() + batch * 2 * W;
+      // tr E at the full step; the rate belongs to the half step behind
       const Simd<W> now  = E[0] + E[1] + E[2];
       const Simd<W> rate = (now - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
       now.copy_to(old, stdx::vector_aligned);
@@ -127,7 +132,8 @@ namespace wheelrail
       batch(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
       {
         const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
-        const Packed<W>      g{call.blocks.data.data() + batch * ElementBlocks::fields * W};
+        // W elements at once, lane by lane the same arithmetic: results agree for every W to round-off
+        const Packed<W> g{call.blocks.data.data() + batch * ElementBlocks::fields * W};
 
         V3<W> u[8];
         for (int a = 0; a < 8; ++a)
@@ -152,6 +158,7 @@ namespace wheelrail
         // 4. the exact gradient of the energy: P = V F S + sum (q_m (x) A Q_m - G_m (x) h_m X), G_m = F A
         // Q_m, f_a = P B_a + sum h_m(a) G_m (doc/theory/element.md, Forces)
         force_of_stress<W>(g, F, S, P);
+        // memory of the batch after next is asked for here, while this one is computed
         fetch_ahead<W>(call, batch);
         hourglass_forces<W>(g, FA, q, Q, P, G);
         apply_forces<W>(g, nodes, P, G, call.force);

@@ -23,6 +23,7 @@ namespace wheelrail
     double
     corner_quality(const std::array<Vector3, 8> &X, const double volume)
     {
+      // lexicographic corners: a ^ (1 << k) is the neighbour along xi_k
       double worst = 1e300;
       for (int a = 0; a < 8; ++a)
         {
@@ -49,6 +50,7 @@ namespace wheelrail
       for (const auto level : solid.mesh.cell_level)
         solid.finest_level = std::max(solid.finest_level, level);
       MPI_Allreduce(MPI_IN_PLACE, &solid.finest_level, 1, MPI_UNSIGNED_CHAR, MPI_MAX, communicator);
+      // each cell is an element of its body on one rank; sizes are cube roots of volumes [m]
       for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
         {
           const Body body = solid.mesh.cell_body[c];
@@ -57,6 +59,7 @@ namespace wheelrail
           elements.geometry[body].push_back(g);
           elements.cells[body].push_back(solid.mesh.cells[c]);
           solid.block_cells[body].push_back(c);
+          // extremes over the rank's cells, for the screen and the report
           q.worst_jacobian = std::min(q.worst_jacobian, corner_quality(X, g.volume));
           q.smallest       = std::min(q.smallest, std::cbrt(g.volume));
           q.largest        = std::max(q.largest, std::cbrt(g.volume));
@@ -78,6 +81,7 @@ namespace wheelrail
       MPI_Allreduce(MPI_IN_PLACE, counts, 6, MPI_UNSIGNED_LONG, MPI_SUM, communicator);
       q.elements = counts[0], q.nodes = counts[1], q.hanging = counts[2];
       q.rail_elements = counts[3], q.wheel_elements = counts[4], q.finest_elements = counts[5];
+      // of all ranks: sums for counts, extremes for quality
       double low[2] = {q.worst_jacobian, q.smallest};
       MPI_Allreduce(MPI_IN_PLACE, low, 2, MPI_DOUBLE, MPI_MIN, communicator);
       q.worst_jacobian = low[0], q.smallest = low[1];
@@ -87,16 +91,19 @@ namespace wheelrail
     void
     lump_mass(Solid &solid, const Elements &elements, MPI_Comm communicator)
     {
-      PerBody<double>       added{}, whole{}; // [kg]
+      PerBody<double> added{}, whole{}; // [kg]
+      // row sums keep momentum and the moment of mass; consistent masses would need a solution in each step
       AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
       solid.cell_mass.resize(solid.mesh.cells.size());
       for (const Body body : both_bodies)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           {
-            const ElementGeometry &g      = elements.geometry[body][e];
-            const Elasticity      &steel  = solid.blocks[body].elasticity();
-            const double           factor = solid.choice.density_factor(element_frequency_bound(g, steel)),
-                         density          = factor * steel.density;
+            const ElementGeometry &g     = elements.geometry[body][e];
+            const Elasticity      &steel = solid.blocks[body].elasticity();
+            // Mass scaling: omega^2 of the element over the wanted one, where it is larger; 1 without
+            // (doc/theory/element.md, Stable step)
+            const double factor  = solid.choice.density_factor(element_frequency_bound(g, steel)),
+                         density = factor * steel.density;
             added[body] += (factor - 1) * steel.density * g.volume;
             whole[body] += density * g.volume;
             for (int a = 0; a < 8; ++a)
@@ -122,6 +129,7 @@ namespace wheelrail
         {
           double masses[] = {added[body], whole[body]};
           MPI_Allreduce(MPI_IN_PLACE, masses, 2, MPI_DOUBLE, MPI_SUM, communicator);
+          // mass that scaling has added over the true one
           solid.quality.scaled_share[body] = masses[0] / (masses[1] - masses[0]);
         }
     }
@@ -139,6 +147,7 @@ namespace wheelrail
       for (const Body body : both_bodies)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           {
+            // omega^2 goes with 1/density
             const double alone = element_frequency_bound(elements.geometry[body][e],
                                                          solid.blocks[body].elasticity()),
                          bound = alone / solid.choice.density_factor(alone);
@@ -153,6 +162,7 @@ namespace wheelrail
                   add(stable.place, 1. / 8, x);
               }
           }
+      // all ranks take the smallest step, and the place of that element for the screen
       stable.step    = stable_step(largest, coefficient);
       const auto all = dealii::Utilities::MPI::all_gather(communicator, stable);
       return *std::min_element(
@@ -176,7 +186,8 @@ namespace wheelrail
     solid                    = Solid();
     solid.choice             = choice;
     solid.mesh               = std::move(mesh);
-    const Elements elements  = build_elements(solid, communicator);
+    // 1. Geometry of each cell; 2. packed for the kernel; 3. state at rest; 4. masses; 5. the stable step
+    const Elements elements = build_elements(solid, communicator);
     for (const Body body : both_bodies)
       solid.blocks[body] = pack_elements(elements.geometry[body],
                                          elements.cells[body],
@@ -198,6 +209,8 @@ namespace wheelrail
   add_band_mass(Solid &solid, const double density)
   {
     AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
+    // Added mass of the contact [kg/m2] on the whole strip of fine cells, constant in time
+    // (doc/theory/contact.md, Added mass)
     for (const BoundaryFace &face : solid.mesh.faces)
       if (face.mark == Boundary::running && face.strip)
         {
@@ -207,6 +220,7 @@ namespace wheelrail
           for (const unsigned int node : face.nodes)
             {
               mass[4 * node] += share;
+              // in the mass of the cells, too, with which momentum is kept over a change of the mesh
               const auto &cell = solid.mesh.cells[face.cell];
               for (int a = 0; a < 8; ++a)
                 solid.cell_mass[face.cell][a] += cell[a] == node ? share : 0;

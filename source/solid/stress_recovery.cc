@@ -40,7 +40,9 @@ namespace wheelrail
       for (const Body body : both_bodies)
         {
           const ElementBlocks &blocks = solid.blocks[body];
-          const auto           strain = element_plastic_strain(blocks);
+          // stress of an element belongs to its centre, the mean of its vertices, in the reference
+          // configuration
+          const auto strain = element_plastic_strain(blocks);
           for (std::size_t e = 0; e < blocks.n_elements; ++e)
             {
               const auto &nodes = solid.mesh.cells[solid.block_cells[body][e]];
@@ -58,6 +60,7 @@ namespace wheelrail
                     const std::vector<Element>         &elements,
                     const std::vector<ElementGradient> &gradients)
     {
+      // mean(G) and mean(G d) of the header, times V; place: mean of where the G hold, from the node
       std::vector<GradientSum> sums(solid.mesh.n_nodes());
       for (std::size_t e = 0; e < elements.size(); ++e)
         for (const unsigned int node : *elements[e].nodes)
@@ -89,6 +92,7 @@ namespace wheelrail
            const std::vector<Moments>     &moments,
            const std::vector<GradientSum> &gradients)
       {
+        // 1. Where the mean G of each vertex of the element holds, from the element's centre
         std::array<Vector3, 8> place;
         Vector3                middle{};
         for (int v = 0; v < 8; ++v)
@@ -100,12 +104,14 @@ namespace wheelrail
           }
         const double trifle = 1e-6 * std::pow(element.volume, 2. / 3);
         // H by least squares from eight nodes: G_v = G_0 + H (place_v - middle)
+        // 2. Normal matrix of eight points; `trifle` keeps a layer of one element regular
         Rows spread = {{{trifle, 0, 0}, {0, trifle, 0}, {0, 0, trifle}}};
         for (int v = 0; v < 8; ++v)
           for (int i = 0; i < 3; ++i)
             add(spread[i], (place[v] - middle)[i], place[v] - middle);
         if (determinant(spread) < least_spread * element.volume * element.volume)
           return;
+        // 3. H_[l] = dG/dx_l = sum over l' of spread^-1_ll' (place - middle)_l' G_v
         const Rows of_spread = inverse(spread);
         for (int v = 0; v < 8; ++v)
           {
@@ -155,6 +161,7 @@ namespace wheelrail
       for (std::size_t e = 0; e < elements.size(); ++e)
         {
           const Element &element = elements[e];
+          // inside of even cells the middle of the patch is the centre, and G needs no correction
           if (norm(gradients[e].place) < aside * std::cbrt(element.volume))
             continue;
           const Bend bend(solid, element, moments, sums);
@@ -203,6 +210,7 @@ namespace wheelrail
                   // s(node) = mean s - slope times mean d. Where G changes by H, half of <G> <d> + <G d> with
                   // the bend taken off is exact for quadratic stresses on even cells (doc/theory/element.md,
                   // Stresses at nodes).
+                  // mean(G), moved to the centres of the elements
                   const double G       = (gradients[node].G[i][k] + bends[node].G[i][k]) / m.volume;
                   const double to_mean = bends[node].to_mean[i][k] / m.volume;
                   // slope at the node itself: mean slope at the centres, less H times the mean distance
@@ -248,6 +256,7 @@ namespace wheelrail
   NodalStress
   recovered_stress(const Solid &solid, const PerBody<std::vector<Stress>> &stress)
   {
+    // twice: the second time from stresses that have got back what the first one flattened
     std::vector<Element> elements = elements_of(solid, stress);
     sharpen(solid, recover(solid, elements), elements);
     return recover(solid, elements);

@@ -71,6 +71,8 @@ namespace wheelrail
   void
   SolidTransfer::fetch(const Solid &after)
   {
+    // 1. Which blocks this rank's new cells lie in: all old cells of these are fetched, whatever rank has
+    // them
     const auto block_of = [](const std::uint64_t cell) { return CellPlace::of_key(cell).ancestor(0).key(); };
     std::vector<std::uint64_t> wanted, blocks;
     for (const std::uint64_t cell : after.mesh.cell_key)
@@ -84,6 +86,7 @@ namespace wheelrail
         columns_[name] = {width_, history.components};
         width_ += history.components;
       }
+    // 2. A row for each old cell of the rank: nine keys, then its histories
     const LocalMesh    &mesh = before_.mesh;
     std::vector<double> own(width_ * mesh.cells.size());
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
@@ -99,7 +102,8 @@ namespace wheelrail
                       history.components,
                       &own[width_ * c + columns_.at(name).first]);
       }
-    cells_                           = fetch_rows(blocks, own, wanted, communicator_);
+    cells_ = fetch_rows(blocks, own, wanted, communicator_);
+    // 3. State of the nodes of these cells, and of nodes that old and new mesh share
     std::vector<std::uint64_t> nodes = after.mesh.node_key;
     std::vector<CellKeys>      cells(cells_.size() / width_);
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -166,6 +170,8 @@ namespace wheelrail
       }
     if (cell >= after.mesh.cells.size())
       return false;
+    // The new cell is a part of an old one, or it has replaced its parts; in the latter case its vertices are
+    // old ones, and were found above
     const CellPlace place = CellPlace::of_key(after.mesh.cell_key[cell]);
     for (int level = place.level; level >= 0; --level)
       {
@@ -203,7 +209,8 @@ namespace wheelrail
   void
   SolidTransfer::fill_nodes(Solid &after) const
   {
-    const LocalMesh           &mesh    = after.mesh;
+    const LocalMesh &mesh = after.mesh;
+    // hanging nodes are set last, from their parents: the old field has no say there
     const std::vector<char>    hanging = hanging_marks(mesh);
     constexpr std::uint32_t    none    = ~0u;
     std::vector<std::uint32_t> corner(mesh.n_nodes(), none); ///< 8 cell + vertex of a cell that has the node
@@ -222,6 +229,7 @@ namespace wheelrail
             !find(after, n, corner[n] == none ? mesh.cells.size() : corner[n] / 8, corner[n] % 8, value))
           continue;
         const Vector3 off = mesh.place(n) - value.X;
+        // a node of both meshes has off = 0 and keeps its bits
         if (off != Vector3{0, 0, 0})
           {
             // u_new = u_old + (F - I) dX, v_new = v_old + dF/dt dX, dX = X_new - X_old: surfaces are curved,
@@ -251,7 +259,8 @@ namespace wheelrail
   std::vector<char>
   SolidTransfer::unchanged_cells(const Solid &after) const
   {
-    const LocalMesh  &mesh = after.mesh;
+    const LocalMesh &mesh = after.mesh;
+    // to round-off of places of a metre [m] and of velocities of 40 m/s [m/s]
     std::vector<char> same_node(mesh.n_nodes(), 0), same(mesh.cells.size(), 0);
     const auto        near = [](const Vector3 &a, const Vector3 &b, const double tolerance) {
       return std::abs(a[0] - b[0]) <= tolerance && std::abs(a[1] - b[1]) <= tolerance &&
@@ -294,6 +303,8 @@ namespace wheelrail
   {
     std::vector<double> mean;
     set_cell_histories(after, [&](const std::string &name, const std::size_t cell) -> const double * {
+      // Plastic strains, back stresses and amplitudes are densities: parts inherit them, a whole takes their
+      // mean. Plastic work is a sum [J]: parts share it, a whole adds it up.
       const auto [first, components] = columns_.at(name);
       const auto      row   = [&, at = first](const std::size_t c) { return &cells_[width_ * c + at]; };
       const CellPlace place = CellPlace::of_key(after.mesh.cell_key[cell]);
@@ -336,6 +347,8 @@ namespace wheelrail
   void
   SolidTransfer::fill_viscous(Solid &after, const double time_step) const
   {
+    // A force pass at u(n-1) with viscosity of coefficient 0 only records tr E there: the first rate on new
+    // cells is then that of the motion, and not the jump from zero
     AlignedVector<double> behind = after.displacement, ignored(after.displacement.size(), 0.);
     for (std::size_t k = 0; k < behind.size(); ++k)
       // u(n-1) = u(n) - dt v(n-1/2)
@@ -365,8 +378,11 @@ namespace wheelrail
   void
   SolidTransfer::fill(Solid &after, const std::vector<NodeInertia> &inertia, const double time_step)
   {
+    // 1. Old cells and nodes that this rank needs
     fetch(after);
+    // 2. Displacements and velocities
     fill_nodes(after);
+    // 3. Momentum, before the viscosity, which takes velocities
     const auto kept = kept_cells(after);
     conserve_momentum(
       before_,
@@ -375,6 +391,7 @@ namespace wheelrail
       middle_,
       inertia,
       communicator_);
+    // 4. Plastic histories; 5. dilatations of the step behind
     fill_histories(after);
     if (time_step > 0)
       fill_viscous(after, time_step);
