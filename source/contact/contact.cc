@@ -41,6 +41,8 @@ namespace wheelrail
   void
   Contact::gather(const double *displacement, const double *velocity)
   {
+    // Velocities pass two filters: the normal one for dg/dt, the shear one for sliding
+    // (doc/theory/contact.md, Surface filter). The rail's unfiltered position is kept beside them.
     window_.gather(displacement, velocity, states_);
     filter_window(&SurfaceState::x, false);
     filter_window(&SurfaceState::v, false);
@@ -124,6 +126,7 @@ namespace wheelrail
       const std::size_t  k    = lattice().index(i, j);
       const ContactNode &node = nodes_[k];
       if (node.pressure > 0 && surfaces().rail.on_second_rail(states_.rail.reference[k]))
+        // on the wheel: p A n - t A
         add(sum, rail().area[k], node.pressure * node.normal - node.traction);
     });
     for (double &component : sum)
@@ -141,9 +144,11 @@ namespace wheelrail
   {
     const std::size_t k    = lattice().index(i, j);
     ContactNode      &node = nodes_[k];
-    Facing            facing;
+    // 1. Gap; a node that faces no facet is open
+    Facing facing;
     if (!find_gap(i, j, facing))
       {
+        // one that pressed in the step before has run out of the window
         sums.at_border = sums.at_border || node.pressure > 0;
         node           = ContactNode();
       }
@@ -156,6 +161,7 @@ namespace wheelrail
         return;
       }
     // the law counts on the tributary area of the node (doc/theory/contact.md, Quadrature on the nodes)
+    // 2. A static evaluation has no velocities: no damper, and the shear spring keeps its traction
     ContactMotion moves        = time_step > 0 ? motion(k, facing) : ContactMotion();
     moves.tilt                 = facing.tilt;
     const ContactForces forces = apply_law(law_, moves, time_step, rail().area[k], node, sums);
@@ -175,6 +181,7 @@ namespace wheelrail
       std::size_t index;
       ContactNode node;
     };
+    // after a static evaluation, for output and for half-spaces of the start
     if (n_ranks_ == 1)
       return;
     std::vector<Known> own;
@@ -250,6 +257,8 @@ namespace wheelrail
   bool
   Contact::at_border(const int i, const int j) const
   {
+    // within two cells of the border of window or fine zone: the run stops with a sentence
+    // (doc/theory/contact.md, Window and ranks)
     const StationRange &r = window().rail, &w = window().wheel;
     const FacetPoint   &foot = nodes_[lattice().index(i, j)].foot;
     return i <= r.first + 1 || i >= r.last - 2 || j <= 1 || j + 2 >= static_cast<int>(lattice().n_lateral) ||
@@ -282,6 +291,7 @@ namespace wheelrail
   void
   Contact::set_traction(const std::size_t node, const Vector3 &traction)
   {
+    // the history alone: evaluate() bounds it by mu p of the node and makes the traction of it
     nodes_[node].elastic = traction;
   }
 } // namespace wheelrail

@@ -11,6 +11,8 @@ namespace wheelrail
   std::vector<Contact::Spring>
   Contact::springs() const
   {
+    // The stretch is n . (x_r - x_w) of filtered places, minus the gap: rail nodes have positive weights,
+    // those of the wheel negative ones. Damper and shear are left out, which the static start has not.
     std::vector<Spring> springs;
     // the nodes behind the filtered node (i, j) of a body, entered with `share`
     const auto spread = [&](Spring &spring, const Body body, const int i, const int j, const double share) {
@@ -48,6 +50,8 @@ namespace wheelrail
           spring.normal = node.normal;
           // k A n (x) n with k = eps: -dp/dg of the pressure p = -eps g (doc/theory/rolling.md, Static start)
           spring.stiffness = law_.stiffness * rail().area[k];
+          // nine nodes of the rail; four corners of the facet with nine each of the wheel, many of them the
+          // same
           spread(spring, Body::rail, i, j, 1);
           for (int a = 0; a < 2; ++a)
             for (int b = 0; b < 2; ++b)

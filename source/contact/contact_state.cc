@@ -43,6 +43,8 @@ namespace wheelrail
                 const PerBody<Lattice>         &before,
                 const PerBody<Lattice>         &after)
     {
+      // A history belongs to a particle of the rail, and a particle keeps its station and row on the endless
+      // lattice, whatever part of it is stored.
       std::vector<ContactNode> moved(std::size_t(after.rail.n_along) * after.rail.n_lateral);
       const Shift              rail = shift_between(before.rail, after.rail),
                   wheel             = shift_between(before.wheel, after.wheel);
@@ -60,6 +62,7 @@ namespace wheelrail
             // the same place on the wheel, in the numbers of the new lattice
             const FacetPoint foot{
               node.foot.i + wheel.stations, node.foot.j + wheel.rows, node.foot.xi, node.foot.eta};
+            // a facet of the wheel needs both of its nodes in each direction
             const bool stored = node.foot.i >= 0 && wheel.same && foot.i >= 0 && foot.j >= 0 &&
                                 foot.i + 1 < static_cast<int>(after.wheel.n_along) &&
                                 foot.j + 1 < static_cast<int>(after.wheel.n_lateral);
@@ -117,6 +120,7 @@ namespace wheelrail
   Contact::State
   Contact::state() const
   {
+    // stations are the slow index: the window is one stretch of the array
     const auto first = nodes_.begin() + lattice().index(window().rail.first, 0);
     const auto last  = nodes_.begin() + lattice().index(window().rail.last, 0);
     return {window(), {first, last}};

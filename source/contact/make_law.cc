@@ -28,6 +28,7 @@ namespace wheelrail
     SurfaceFilter
     filter_of(const ContactBody &body)
     {
+      // each body has the filter of its own element form and Poisson's ratio
       std::array<Vector3, 8> cube;
       for (int a = 0; a < 8; ++a)
         // a cube of edge 1 m: weights of the filter have no unit
@@ -55,6 +56,7 @@ namespace wheelrail
     law.damping  = 2 * z * std::sqrt(law.stiffness * law.added_mass / 2);
     law.friction = choice.friction;
     for (const Body body : both_bodies)
+      // a rigid surface answers no load
       if (choice.surface_filter && !bodies[body].rigid)
         law.filter[body] = filter_of(bodies[body]);
     return law;

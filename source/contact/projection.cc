@@ -16,6 +16,7 @@ namespace wheelrail
     std::array<std::size_t, 4>
     corners(const Lattice &lattice, const FacetPoint &point)
     {
+      // (0, 0), (1, 0), (0, 1), (1, 1): xi along the track, eta across it
       const std::size_t k = lattice.index(point.i, point.j), next = lattice.n_lateral;
       return {k, k + next, k + 1, k + next + 1};
     }
@@ -80,6 +81,8 @@ namespace wheelrail
         add(normal, facing.weight[m], wheel_normal_[k]);
         add(X, facing.weight[m], states.wheel.reference[k]);
       }
+    // weights of the foot also for the normals: continuous over edges, where normals of facets would jump and
+    // a node that rolls over would feel a blow
     facing.normal = normalised(normal);
     // g = (foot - x) . n - w(X) of doc/theory/contact.md, X the reference place of the foot; less the rail's
     // own offset, which its filtered node has, too
@@ -121,6 +124,8 @@ namespace wheelrail
     // the foot to the edge
     int  last_move[2] = {0, 0};
     bool pinned[2]    = {false, false};
+    // xi and eta leave [0, 1] at the border of the window alone: such a node faces no facet. A pinned foot
+    // stays on its edge.
     for (int iteration = 0; iteration < 60; ++iteration)
       {
         const auto    c = corners(lattice, point);

@@ -40,6 +40,7 @@ namespace wheelrail
             // area of a facet = |d1 x d2|/2, d1, d2 its diagonals; a quarter to each corner
             const Vector3 diagonal1 = X[corner[3]] - X[corner[0]], diagonal2 = X[corner[2]] - X[corner[1]];
             const double  quarter = norm(cross(diagonal1, diagonal2)) / 8;
+            // bilinear hat functions over a parallelogram: the integral of each is a quarter of it [m2]
             for (const auto c : corner)
               surface.area[c] += quarter;
           }

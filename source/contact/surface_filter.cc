@@ -82,6 +82,7 @@ namespace wheelrail
           blend(line, old.data(), old.data() + 6, n, weights.across);
         }
     if (!is_zero(weights.along))
+      // `before` holds the line behind as it was, since the line itself has been overwritten
       for (int i = first; i < last; ++i)
         {
           double *line = field[lattice.index(i, 0)].data();

@@ -52,7 +52,8 @@ namespace wheelrail
     {
       const Matrix lower = block(layer, 0, 0), coupling = block(layer, 0, 1), back = block(layer, 1, 0),
                    upper = block(layer, 1, 1);
-      Matrix top         = upper;
+      // start: one layer on a rigid ground, T = K_uu
+      Matrix top = upper;
       // a wave dies as exp(-k z): after 20/k layers 1e-9 of it is left
       const int n_layers = 10 + static_cast<int>(std::ceil(20 / k));
       for (int n = 0; n < n_layers; ++n)
@@ -78,6 +79,7 @@ namespace wheelrail
                    const double                       kx,
                    const double                       ky)
   {
+    // wave number times the edge of a cube of 1 m; how normal and tangential are coupled is left out
     const double k  = std::hypot(kx, ky);
     const Matrix c  = surface_compliance(layer_stiffness(stiffness, kx, ky), k);
     const double nu = material.poissons_ratio, cx = kx / k, cy = ky / k;
@@ -97,7 +99,8 @@ namespace wheelrail
   {
     // small enough for the next order to stay below one per cent of the error
     // k h = 0.3, along the cells and at 45 degrees to them
-    const double  k = 0.3, half = k / std::sqrt(2.);
+    const double k = 0.3, half = k / std::sqrt(2.);
+    // the response of a lattice is not the same in all directions: the mean of both serves for normal loads
     const auto    straight = surface_response(stiffness, material, k, 0);
     const auto    oblique  = surface_response(stiffness, material, half, half);
     SurfaceFilter filter;

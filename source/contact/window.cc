@@ -27,6 +27,7 @@ namespace wheelrail
   bool
   ContactWindow::move(const double along, const double wheel_ahead)
   {
+    // most steps leave the stations as they are
     along_                               = along;
     wheel_ahead_                         = wheel_ahead;
     const PerBody<StationRange> stations = stations_around(along, wheel_ahead);
@@ -65,6 +66,8 @@ namespace wheelrail
     int rank, size;
     MPI_Comm_rank(communicator_, &rank);
     MPI_Comm_size(communicator_, &size);
+    // Numbers of all ranks in one order, from the owners listed alike everywhere: no lists have to be sent in
+    // a step, only 6 numbers a node, displacement and velocity.
     std::vector<std::vector<Node>> by_rank(size);
     for (const Body body : both_bodies)
       {
@@ -115,6 +118,7 @@ namespace wheelrail
                      communicator_);
     else
       receive_ = send_;
+    // all ranks get all numbers in the order of nodes_
     const double *in = receive_.data();
     for (const auto &[body, k] : nodes_)
       {

@@ -4,6 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+// Constants of the one equation for dp of an implicit step (Kobayashi and Ohno 2002; doc/manual/material.md,
+// Cyclic hardening), G the shear modulus,
+//
+//     f(dp) = q(dev S_trial - sum theta_i X_i) - (3 G + sum theta_i C_i) dp - sigma_y - R(dp) = 0,
+//
+// and bounds on its slope and its curvature, between which Newton's method is safe.
+
 namespace wheelrail
 {
   ChabocheEquation::ChabocheEquation(const Elasticity &constants, const CyclicHardening &hardening)
@@ -29,6 +36,7 @@ namespace wheelrail
         // C_i [Pa], gamma_i [-]; X_i grows to C_i/gamma_i
         modulus[i]  = hardening.moduli[i];
         recovery[i] = hardening.recovery * gamma;
+        // theta_i = 1/(1 + mu gamma_i dp), mu the part that always acts, bends f by this much
         recovered += recovery[i] * modulus[i];
         moduli += modulus[i];
         threshold[i] = gamma > 0 ? modulus[i] / gamma : std::numeric_limits<double>::infinity();

@@ -15,6 +15,7 @@ namespace wheelrail
     // CONTACT
     // s = at_rest, d = at_speed, c = decay [s/m], v_h = half_velocity [m/s], where half of the fall is gone;
     // v >= 0 is the slip speed [m/s]
+    // second terms are those of CONTACT's files: half of each is gone at v_2
     const double drop = at_rest - at_speed - second_drop, second = speed / second_velocity;
     switch (kind)
       {
@@ -39,6 +40,7 @@ namespace wheelrail
       return at_rest;
     if (second_drop == 0)
       return std::max(at_rest, at_speed);
+    // both terms are largest at rest where they fall, at high speed where they rise
     return at_speed + std::max(0., at_rest - at_speed - second_drop) + std::max(0., second_drop);
   }
 
@@ -68,6 +70,7 @@ namespace wheelrail
   FrictionLaw::valid() const
   {
     // friction that rises with speed, d > s, is accepted, too
+    // no speed may have a negative coefficient: terms that rise with speed start below mu_d
     const double least =
       at_speed + std::min(0., at_rest - at_speed - second_drop) + std::min(0., second_drop);
     return at_rest >= 0 && at_speed >= 0 && decay >= 0 && half_velocity > 0 && second_velocity > 0 &&
@@ -78,6 +81,7 @@ namespace wheelrail
   bool
   FrictionLaw::depends_on_speed() const
   {
+    // two coefficients that agree, or a decay of 0, leave mu constant
     return kind != FrictionKind::constant &&
            (second_drop != 0 || (at_speed != at_rest && (kind != FrictionKind::exponential || decay != 0)));
   }
@@ -90,6 +94,7 @@ namespace wheelrail
     // compared with the impedance rho c_s/2 of shear waves: beyond it friction is unstable
     // (doc/theory/contact.md, Friction).
     // -dmu/dv where it is largest, at rest; of the second rational term 3 sqrt(3) / 8 at v_2 / sqrt(3)
+    // the sum of both steepest falls, though they need not be at one speed: an upper bound
     const double drop   = std::max(0., at_rest - at_speed - second_drop);
     const double second = std::max(0., second_drop) / second_velocity;
     switch (kind)

@@ -37,6 +37,7 @@ namespace wheelrail
               b[i] -= factor * b[k];
             }
         }
+      // back substitution
       for (std::size_t k = n; k-- > 0;)
         {
           for (std::size_t j = k + 1; j < n; ++j)
@@ -51,6 +52,7 @@ namespace wheelrail
     {
       double most = 0;
       for (const double value : values)
+        // a stress that is no number counts as infinitely far off: the step is halved
         most = std::isfinite(value) ? std::max(most, std::abs(value)) : HUGE_VAL;
       return most;
     }
@@ -72,6 +74,7 @@ namespace wheelrail
       typename Law::template History<Simd<1>> history(law);
       Response                                response;
       response.rows = rows_;
+      // always from the history before this step: respond() changes nothing of the point
       history.load(rows_.data());
       Simd<1> E[6], S[6], work = 0.;
       for (int k = 0; k < 6; ++k)
@@ -105,8 +108,9 @@ namespace wheelrail
     std::vector<std::vector<double>> slope(free.size(), std::vector<double>(free.size()));
     for (std::size_t j = 0; j < free.size(); ++j)
       {
+        // six columns at most: the law has no tangent of its own, since the explicit kernels need none
         SixNumbers probed = strain;
-        // away from where the stress is missing, so that the slope is that of flow when that goes on
+        // towards the wanted stress, so that the slope is that of flow when that goes on
         const double step = miss[j] < 0 ? -probe : probe;
         probed[free[j]] += step;
         // dS_i/dE_j by a one-sided difference of 1e-8, about the root of round-off: the law has a corner at
@@ -190,8 +194,9 @@ namespace wheelrail
   {
     const Elasticity &constants = elasticity(law_);
     const double      nu        = constants.poissons_ratio;
-    const double      trace     = stress_[0] + stress_[1] + stress_[2];
-    SixNumbers        plastic   = strain_;
+    // of the present state alone, so that it serves all laws
+    const double trace   = stress_[0] + stress_[1] + stress_[2];
+    SixNumbers   plastic = strain_;
     for (std::size_t k = 0; k < 6; ++k)
       // E_p = E - S/(2 mu) + nu/E tr(S) I: Hooke's law inverted, E_e = ((1 + nu) S - nu tr(S) I)/E
       plastic[k] -= ((1 + nu) * stress_[k] - (k < 3 ? nu * trace : 0.)) / constants.youngs_modulus;

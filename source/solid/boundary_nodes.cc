@@ -5,6 +5,7 @@
 
 // Nodes with boundary conditions: foot, bore, ends, running surface (marks of doc/theory/mesh.md, Sections of
 // blocks).
+
 namespace wheelrail
 {
   std::vector<unsigned int>

@@ -5,6 +5,7 @@
 // What elements remember from step to step (plastic strains, back stresses, plastic amplitudes, dilatation of
 // the bulk viscosity; doc/theory/element.md, doc/manual/material.md), for saved states and changes of the
 // mesh.
+
 namespace wheelrail
 {
   namespace

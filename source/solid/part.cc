@@ -2,6 +2,7 @@
 
 // Parts of a scene before the first step (doc/theory/rolling.md, Time stepping): what they add to weights and
 // inertia of the nodes, and which nodes they move themselves.
+
 namespace wheelrail
 {
   // Inertia of the nodes after all parts have had their say: a part adds weights, or takes the inverse mass
