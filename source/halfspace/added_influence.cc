@@ -22,6 +22,7 @@ namespace wheelrail
     int
     fast_length(int n)
     {
+      // even, with factors 2, 3 and 5
       for (n += n % 2;; n += 2)
         {
           int rest = n;
@@ -54,6 +55,7 @@ namespace wheelrail
     {
       const std::lock_guard<std::mutex> guard(fft_planning());
       auto *const                       modes = reinterpret_cast<fftw_complex *>(spectrum.data());
+      // planned once for each length, by one thread at a time
       forward  = fftw_plan_dft_r2c_1d(length, real.data(), modes, FFTW_ESTIMATE);
       backward = fftw_plan_dft_c2r_1d(length, modes, real.data(), FFTW_ESTIMATE);
     }
@@ -75,6 +77,7 @@ namespace wheelrail
   {
     std::vector<double> lags;
     for (int i = -grid.mx; i <= grid.mx; ++i)
+      // place of the displacement less place of the force [m]; `ahead`: seen one step further along x
       lags.push_back(i * grid.dx + ahead);
     return lags;
   }
@@ -116,6 +119,7 @@ namespace wheelrail
   void
   RowsInfluence::set_bases(const std::vector<Basis> &bases)
   {
+    // spectra of rows stay: they live in the fixed axes
     bases_ = bases;
   }
 
@@ -125,7 +129,9 @@ namespace wheelrail
   {
     constexpr double nothing = 1e-6; // of the largest mode of the displacements
     const int        n       = 3 * here.rows;
-    Body             body{here.rows, modes_, here.weights, {}, {}};
+    // by entry: displacement along one axis of one row under a force along one axis of another, over all lags
+    // [m/N]
+    Body body{here.rows, modes_, here.weights, {}, {}};
     body.here.resize(std::size_t(modes_) * n * n);
     body.slip.resize(body.here.size());
     std::vector<double> largest(modes_, 0.);
@@ -136,6 +142,7 @@ namespace wheelrail
             {
               const std::size_t at    = std::size_t(i + grid_.mx) * n * n + entry;
               const double      value = here.by_lag[at];
+              // negative lags stand at the end of the cyclic row
               plans_->real[(i + length_) % length_] =
                 // displacement u, or slip (u - u')/dq with u' one step ahead (doc/theory/halfspace.md, Frame
                 // and signs); FFTW multiplies by the length there and back
@@ -153,6 +160,7 @@ namespace wheelrail
     // what the slips have beyond is the rounding of the influences over the step
     const double least = nothing * *std::max_element(largest.begin(), largest.end());
     // modes exp(2 pi i m x/length) that hold less than 1e-6 of the largest one are left out, some twenty stay
+    // the influence less that of half-spaces has no short waves
     while (body.modes > 1 && largest[body.modes - 1] < least)
       --body.modes;
     for (std::vector<Complex> *kernel : {&body.here, &body.slip})
@@ -167,7 +175,10 @@ namespace wheelrail
   std::vector<Complex>
   RowsInfluence::row_forces(const Body &body, const Given &traction) const
   {
-    const int            n = 3 * body.rows, mx = grid_.mx;
+    // tractions [Pa] on body 1 to forces on rows [N]; body 2 has the tractions -t, so that the difference of
+    // displacements is (R_1 + R_2) t
+    const int n = 3 * body.rows, mx = grid_.mx;
+    // 1. and 2. gather, 3. transform
     std::vector<Complex> spectra(std::size_t(body.modes) * n);
     std::vector<double>  forces(std::size_t(n) * mx, 0.), fixed(3 * mx);
     for (int j = 0; j < grid_.my; ++j)
@@ -213,7 +224,8 @@ namespace wheelrail
                                    const std::vector<Complex> &kernel,
                                    const std::vector<Complex> &forces) const
   {
-    const int            n = 3 * body.rows;
+    const int n = 3 * body.rows;
+    // kernel: `here` for displacements [m/N], `slip` for (u - u')/dq [1/N]
     std::vector<Complex> image(std::size_t(body.modes) * n);
     for (int m = 0; m < body.modes; ++m)
       {
@@ -232,6 +244,7 @@ namespace wheelrail
             image[std::size_t(m) * n + i] = {re, im};
           }
       }
+    // [m]; of slips [-]
     std::vector<double> displacement(std::size_t(n) * grid_.mx);
     for (int row = 0; row < n; ++row)
       {
@@ -249,9 +262,11 @@ namespace wheelrail
   std::array<std::vector<double>, 3>
   RowsInfluence::fixed_displacement(const unsigned int body_number, const Given &traction) const
   {
-    const Body                        &body = bodies_[body_number];
-    const int                          mx   = grid_.mx;
-    const std::vector<double>          u    = row_displacements(body, body.here, row_forces(body, traction));
+    const Body &body = bodies_[body_number];
+    const int   mx   = grid_.mx;
+    // displacement of one body alone, for how its surface turns and moves ((5) and (6) of
+    // doc/theory/bodies.md) [m]
+    const std::vector<double>          u = row_displacements(body, body.here, row_forces(body, traction));
     std::array<std::vector<double>, 3> fixed;
     for (int axis = 0; axis < 3; ++axis)
       {
@@ -270,6 +285,7 @@ namespace wheelrail
   void
   RowsInfluence::add(const bool slip, const Given &traction, const Fields &result) const
   {
+    // (half-spaces + R) t of (4): the solver adds this to the influence of half-spaces
     const int mx = grid_.mx;
     for (const Body &body : bodies_)
       {
@@ -279,6 +295,7 @@ namespace wheelrail
           for (int r = 0; r < body.rows; ++r)
             {
               const double weight = body.weights[std::size_t(j) * body.rows + r];
+              // rows near the row of elements alone have weights
               if (weight == 0)
                 continue;
               for (int c = 0; c < 3; ++c)

@@ -44,8 +44,10 @@ namespace wheelrail
   corner_derivatives(const double x, const double y, const double z)
   {
     PotentialDerivatives d;
-    const double         rho = std::sqrt(x * x + y * y + z * z);
+    // (x, y): from the corner to the point, z > 0 into the body [m]
+    const double rho = std::sqrt(x * x + y * y + z * z);
     const double xr = sum_with(x, rho, y * y + z * z), yr = sum_with(y, rho, x * x + z * z), zr = rho + z;
+    // third derivatives: homogeneous of degree 0, logarithms at the edges of a load, where tractions jump
     const double lx = std::log(xr), ly = std::log(yr);
     d.xxy = -x / zr;
     d.xyy = -y / zr;

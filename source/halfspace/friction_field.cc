@@ -29,6 +29,7 @@ namespace wheelrail
   double
   hot_friction(const HalfspaceProblem &problem, const int j, const double temperature)
   {
+    // friction never falls to 0: 1e-6 is left, as in CONTACT
     const auto &hot = problem.hot_friction;
     if (hot.empty())
       return 0;
@@ -47,7 +48,8 @@ namespace wheelrail
     const HalfspaceSolution *const before = problem.previous;
     const bool                     steady = problem.motion == HalfspaceMotion::steady,
                goes_on                    = before && before->friction.size() == std::size_t(grid.size());
-    const int           from              = problem.motion == HalfspaceMotion::shift ? 0 : 1;
+    const int from                        = problem.motion == HalfspaceMotion::shift ? 0 : 1;
+    // one pass from the leading edge: the coefficient of an element follows from that of the one ahead
     std::vector<double> friction(grid.size());
     for (int j = 0; j < grid.my; ++j)
       for (int i = grid.mx - 1; i >= 0; --i) // the path of the particles

@@ -15,6 +15,7 @@ namespace wheelrail
   {
     // z = M^-1 (unit creepage): a unit slip in all rows that hold a slip, that is both of an element that
     // sticks and the one across n of one that slips
+    // columns of the unknown creepages: a unit of creepage is a unit of slip in all rows
     response_.clear();
     for (const int d : forces)
       {
@@ -45,6 +46,7 @@ namespace wheelrail
     if (m == 0)
       return;
     // Block elimination of the creepages: sum(z) - sum(response) creepage = force row.
+    // the factor of the rows of forces in linearise()
     const double scale   = b_ / std::sqrt(double(n_));
     double       a[2][2] = {{0, 0}, {0, 0}}, c[2] = {0, 0};
     for (std::size_t f = 0; f < m; ++f)
@@ -79,6 +81,7 @@ namespace wheelrail
   void
   FrictionSystem::inverse_block(const double *r, std::vector<double> &result)
   {
+    // with a large c of a proximal point the slip is mostly c dt: the diagonal is enough
     result.assign(2 * n_, 0.);
     // B + c is then nearly diagonal; the preconditioner decides on speed only
     if (c_ > 0.3 * kernels_.diagonal)
@@ -111,6 +114,7 @@ namespace wheelrail
         // 1. d(A t)/dx = -s: the displacement that belongs to a slip is its sum from the leading edge of a
         // run of sticking elements, in steps of dx against rolling. Elements are in the order of x: from the
         // last one back.
+        // a run of sticking elements begins at the leading edge, or behind elements that slip
         const bool follows = kernels_.steady && e + 1 < n_ && elements[e + 1] == k + 1 && !slipping[e + 1] &&
                              (k + 1) % task_.grid.mx != 0;
         for (int d = 0; d < 2; ++d)

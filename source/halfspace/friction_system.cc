@@ -85,6 +85,8 @@ namespace wheelrail
           bound_[e] = task_.bound[elements[e]];
         return;
       }
+    // Layer that yields (Hou, Kalousek and Magel 1997): from the leading edge on, so that what has hardened
+    // ahead comes along.
     brought_.resize(n_);
     yielding_.assign(n_, none);
     double raised = 0;
@@ -114,6 +116,7 @@ namespace wheelrail
   std::pair<double, double>
   FrictionSystem::yielded(const std::size_t e, const std::vector<double> &slip) const
   {
+    // yield stress after the step, c + h |s|, and the part of the slip that the layer takes
     const double size = std::hypot(slip[2 * e], slip[2 * e + 1]), c = brought_[e];
     switch (yielding_[e])
       {
@@ -135,6 +138,7 @@ namespace wheelrail
       for (int d = 0; d < 2; ++d)
         work_[d][elements[e]] = t[2 * e + d];
     apply_slip();
+    // unknown creepages are dimensionless slips, tractions [Pa]
     std::array<double, 2> creepage = creepage_;
     for (std::size_t f = 0; f < forces.size(); ++f)
       // creepages behind the tractions in the vector of unknowns
@@ -152,6 +156,7 @@ namespace wheelrail
           }
       }
     set_bounds(t, slip);
+    // residual: rms of t - P(q) over the elements, over the largest |P|
     double sum = 0, largest = 0;
     for (std::size_t e = 0; e < n_; ++e)
       {
@@ -179,6 +184,8 @@ namespace wheelrail
     ny_.assign(n_, 0);
     stiffness_.assign(n_, 0);
     rhs.assign(2 * n_ + forces.size(), 0.);
+    // `first`: elements within their bound count as sticking, since t = 0 gives q = -s/b, and s is the rigid
+    // slip alone
     const double b = b_;
     for (std::size_t e = 0; e < n_; ++e)
       {
@@ -227,11 +234,13 @@ namespace wheelrail
       for (int d = 0; d < 2; ++d)
         work_[d][elements[e]] = dt[2 * e + d];
     apply_slip();
+    // a given creepage does not change in a Newton step
     std::array<double, 2> creepage{{0, 0}};
     for (std::size_t f = 0; f < forces.size(); ++f)
       creepage[forces[f]] = dt[2 * n_ + f];
     result.assign(dt.size(), 0.);
     double raised = 0; // change of the yield stress that the material brings along
+    // against x: `raised` carries the hardening of a step from element to element
     for (std::size_t e = n_; e-- > 0;)
       {
         const int k = elements[e];
@@ -273,6 +282,7 @@ namespace wheelrail
   {
     for (std::size_t e = 0; e < n_; ++e)
       {
+        // a guess may come from other pressures, whose bound was wider
         const double g = task_.bound[elements[e]], size = std::hypot(t[2 * e], t[2 * e + 1]);
         if (size > g)
           for (int d = 0; d < 2; ++d)

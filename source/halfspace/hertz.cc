@@ -22,6 +22,8 @@ namespace wheelrail
     EllipseFactors
     ellipse_factors(const double g)
     {
+      // e: eccentricity; K, E: complete elliptic integrals. With a = 1 and p0 = E*: A = g (K - E)/e^2, B = g
+      // (E/g^2 - K)/e^2, approach = g K. A circle: pi/4, pi/4, pi/2.
       const double e2 = (1 - g) * (1 + g);
       if (e2 < 1e-7) // a circle; differences of the integrals would be lost in rounding
         return {0.25 * M_PI, 0.25 * M_PI, 0.5 * M_PI};
@@ -37,6 +39,7 @@ namespace wheelrail
                const bool   long_x,
                const double modulus)
     {
+      // lengths go with a, curvatures with 1/a, all with p0/E*
       const EllipseFactors f = ellipse_factors(g);
       HertzContact         contact;
       contact.a             = long_axis;
@@ -76,6 +79,7 @@ namespace wheelrail
   HertzContact
   hertz_of_axes(const double a, const double b, const double modulus, const HertzLoad &load)
   {
+    // given axes: p0 from the force, or from the approach
     const double long_axis = std::max(a, b), g = std::min(a, b) / long_axis;
     const double ratio = load.force_given ? load.value / (2. / 3 * M_PI * a * b * modulus)
                                           : load.value / (ellipse_factors(g).approach * long_axis);
@@ -85,6 +89,7 @@ namespace wheelrail
   HertzContact
   hertz_of_ratio(const double A, const double ratio, const double modulus, const HertzLoad &load)
   {
+    // the smaller curvature lies along the long axis
     const bool           long_x = ratio >= 1;
     const double         g      = long_x ? 1 / ratio : ratio;
     const EllipseFactors f      = ellipse_factors(g);
@@ -110,7 +115,8 @@ namespace wheelrail
   HertzContact
   hertz_of_curvatures(const double A, const double B, const double modulus, const HertzLoad &load)
   {
-    // the ratio of the axes has that of the curvatures; bisection of its logarithm
+    // the ratio of the axes has that of the curvatures; bisection of its logarithm. A/B = g^2 (K - E)/(E -
+    // g^2 K) rises with the ratio g of the axes from 0 to 1
     const double wanted = std::min(A, B) / std::max(A, B);
     double       low = std::log(1e-6), high = 0;
     for (int k = 0; k < 60; ++k)
@@ -119,6 +125,7 @@ namespace wheelrail
         const EllipseFactors f                   = ellipse_factors(std::exp(middle));
         (f.flat / f.steep < wanted ? low : high) = middle;
       }
+    // 60 halvings: to round-off
     const double g = std::exp(0.5 * (low + high));
     return hertz_of_ratio(A, A <= B ? 1 / g : g, modulus, load);
   }

@@ -136,7 +136,8 @@ namespace wheelrail
   {
     const int nx = products.columns(), ny = products.rows();
     // distances from -nx/2 to nx/2 - 1 in elements: all that a doubled grid asks for
-    const int                        middle_x = nx / 2, middle_y = ny / 2;
+    const int middle_x = nx / 2, middle_y = ny / 2;
+    // tables by distance I - J: what depends on it alone is a convolution, and one table serves all pairs
     std::vector<std::vector<double>> tables(pairs.size(), std::vector<double>(std::size_t(nx) * ny));
     sweep_corners(
       grid,
@@ -180,6 +181,7 @@ namespace wheelrail
     , ny_(fft_size(2 * grid.my))
     , plans_(std::make_unique<Plans>())
   {
+    // FFTW's planner may be called by one thread at a time
     const std::lock_guard<std::mutex> guard(fft_planning());
     plans_->real = fftw_alloc_real(std::size_t(nx_) * ny_);
     Spectrum            any(spectrum_size());
@@ -195,6 +197,7 @@ namespace wheelrail
       return fftw_plan_many_dft(
         1, &ny_, nc, complex, nullptr, nc, 1, complex, nullptr, nc, 1, direction, how);
     };
+    // columns in place, after the rows there and before the rows back
     plans_->columns      = columns(FFTW_FORWARD);
     plans_->back_columns = columns(FFTW_BACKWARD);
   }
@@ -236,6 +239,7 @@ namespace wheelrail
   void
   InfluenceProducts::forward(const std::vector<double> &field, Spectrum &spectrum)
   {
+    // zero padding: the copies of the field do not reach the elements
     std::fill_n(plans_->real, std::size_t(nx_) * grid_.my, 0.);
     for (int j = 0; j < grid_.my; ++j)
       std::copy_n(field.data() + std::size_t(grid_.mx) * j, grid_.mx, plans_->real + std::size_t(nx_) * j);

@@ -4,6 +4,9 @@
 #include <array>
 #include <cstddef>
 
+// Creep coefficients C11, C22, C23 of Kalker (1967; table E3 of Kalker 1990): Fx = -G a b C11 xi, Fy = -G a b
+// (C22 eta + sqrt(a b) C23 phi), a along rolling. The theory is linear: no slip, small creepages.
+
 namespace wheelrail
 {
   namespace
@@ -74,6 +77,7 @@ namespace wheelrail
     double
     between(const Table &table, const double ratio, const double poisson)
     {
+      // rows at 0.1, 0.2, ... 1; beyond 0.1 the end of the table
       const double      place = std::clamp(10 * ratio - 1, 0., 9.);
       const std::size_t k     = std::min<std::size_t>(8, static_cast<std::size_t>(place));
       const double      t     = place - double(k);
@@ -92,8 +96,10 @@ namespace wheelrail
   KalkerCoefficients
   kalker_coefficients(const double ratio, const double poisson_ratio)
   {
+    // narrow: short along rolling, a <= b; at a = b both tables agree
     const bool   is_narrow = ratio <= 1;
     const double g         = is_narrow ? ratio : 1 / ratio;
+    // [-]; forces on body 1 are against the creepage
     return {between(is_narrow ? c11_narrow : c11_long, g, poisson_ratio),
             between(is_narrow ? c22_narrow : c22_long, g, poisson_ratio),
             between(is_narrow ? c23_narrow : c23_long, g, poisson_ratio)};

@@ -12,6 +12,7 @@ namespace wheelrail
     HalfspaceConstants
     constants_of(const HalfspaceProblem &problem)
     {
+      // the layer takes part in the shear of each element on itself alone
       HalfspaceConstants constants = halfspace_constants(problem.body1, problem.body2);
       constants.layer              = problem.layer_compliance;
       return constants;
@@ -47,6 +48,7 @@ namespace wheelrail
       if (kept.a == a && kept.b == b && kept.ahead == ahead)
         return kept.spectrum;
     const auto by_distance = influence_by_distance(constants_, grid_, products_, ahead, {{a, b}});
+    // closed integrals over all distances, then one FFT
     kept_.push_back({a, b, ahead, products_.kernel(by_distance.front())});
     return kept_.back().spectrum;
   }
@@ -55,6 +57,7 @@ namespace wheelrail
   const SlipKernels &
   HalfspaceKernels::slip(const double step, const bool steady)
   {
+    // B = A/dq or (A - A')/dq
     if (slip_.step != step || slip_.steady != steady)
       slip_ = slip_kernels(products_, constants_, grid_, step, steady);
     return slip_;
@@ -64,13 +67,17 @@ namespace wheelrail
   std::shared_ptr<HalfspaceKernels> &
   KeptKernels::of(const HalfspaceProblem &problem)
   {
+    // a place that was asked for and not filled
     kept_.remove(nullptr);
     for (auto kernels = kept_.begin(); kernels != kept_.end(); ++kernels)
       if ((*kernels)->fit(problem))
         {
+          // last used first
           kept_.splice(kept_.begin(), kept_, kernels);
           return kept_.front();
         }
+    // a spectrum of the doubled grid has four numbers an element, and some nine spectra may be kept: grids
+    // that were not used for longest leave first
     constexpr std::size_t most_grids    = 8;
     constexpr int         most_elements = 100000; // of all
     int                   elements      = problem.grid.size();
@@ -96,6 +103,7 @@ namespace wheelrail
     std::vector<std::vector<double>> found(components.size());
     for (std::size_t k = 0; k < components.size(); ++k)
       {
+        // sums of modes: one transform back for three tractions
         HalfspaceKernels::Spectrum sum(spectra[0].size(), 0.);
         for (int b = 0; b < 3; ++b)
           {

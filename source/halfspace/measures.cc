@@ -19,11 +19,14 @@ namespace wheelrail
     {
       if (problem.motion != HalfspaceMotion::steady)
         return std::nan("");
+      // signs: tractions on body 1, slip of body 1 against body 2, so that friction's power is -t . s,
+      // positive
       const auto of = [](const std::vector<double> &field, const int e) {
         return field.empty() ? 0 : field[e];
       };
       const HalfspaceGrid &grid = s.grid;
-      double               work = 0;
+      // [N] = [J/m]
+      double work = 0;
       for (int j = 0; j < grid.my; ++j)
         for (int i = 0; i < grid.mx; ++i)
           {
@@ -42,6 +45,7 @@ namespace wheelrail
   void
   measure(const HalfspaceProblem &problem, const std::vector<char> &slipping, HalfspaceSolution &s)
   {
+    // whole elements with constant tractions: sums are integrals
     const HalfspaceGrid &grid    = s.grid;
     const double         area    = grid.element_area();
     int                  first_x = grid.mx, last_x = -1, first_y = grid.my, last_y = -1;
@@ -53,6 +57,7 @@ namespace wheelrail
           const double p = s.pressure[e], tx = s.traction_x[e], ty = s.traction_y[e];
           if (p <= 0)
             continue;
+          // 1 slides, 2: the layer yields in place of sliding
           const char slips = slipping.empty() ? 0 : slipping[e];
           s.state[e]       = slips == 2   ? HalfspaceSolution::plastic
                              : slips == 1 ? HalfspaceSolution::slip
@@ -71,6 +76,7 @@ namespace wheelrail
           first_y         = std::min(first_y, j);
           last_y          = std::max(last_y, j);
         }
+    // areas of whole elements: 0.5 to 0.7 % of error at 0.125 mm (doc/theory/halfspace.md, Verification)
     s.area = s.adhesion_area + s.slip_area + s.plastic_area;
     if (s.contact_elements > 0)
       {
@@ -79,6 +85,8 @@ namespace wheelrail
         s.width_y           = (last_y - first_y + 1) * grid.dy;
         s.touches_grid_edge = first_x == 0 || first_y == 0 || last_x == grid.mx - 1 || last_y == grid.my - 1;
       }
+    // the same work twice: from the motion, and from where it is done; of like bodies they agree but for the
+    // half cell of the spin
     s.creepage_work = creepage_work(problem, s);
     s.friction_work = friction_work(problem, s);
   }

@@ -44,6 +44,7 @@ namespace wheelrail
     void
     scale_to(const double force, const double element_area, std::vector<double> &p)
     {
+      // [Pa] so that sum(p) dA = force: an equality that each step keeps
       const double factor = force / (total(p) * element_area);
       for (double &v : p)
         v *= factor;
@@ -61,6 +62,7 @@ namespace wheelrail
       double            level = contact.approach;
       if (force_given)
         {
+          // no need for a good one: conjugate gradients take a few steps more
           std::vector<double> sorted(distance);
           std::nth_element(sorted.begin(), sorted.begin() + n / 4, sorted.end());
           level = sorted[n / 4]; // the approach at which a quarter of the grid overlaps
@@ -88,6 +90,7 @@ namespace wheelrail
         e[k] = u[k] + distance[k];
       if (force_given) // the multiplier of sum(p) dx dy = F
         contact.approach = contact_mean(e, p);
+      // G = sum of e^2 over the contact, for the factor of the direction
       double norm = 0, worst = 0;
       for (std::size_t k = 0; k < e.size(); ++k)
         {
@@ -137,7 +140,9 @@ namespace wheelrail
     if (contact.pressure.size() != n || total(contact.pressure) <= 0)
       first_pressure(grid, distance, force_given, force, contact);
     std::vector<double> &p = contact.pressure, &u = contact.displacement;
-    std::vector<double>  e(n), t(n, 0.), r(n);
+    // e gap [m], t direction [m], r = A t with A in m/Pa, so that alpha is in Pa/m. A is symmetric and
+    // positive definite: one minimum.
+    std::vector<double> e(n), t(n, 0.), r(n);
     if (force_given)
       scale_to(force, grid.element_area(), p);
     // residuals are relative to the depth of interpenetration, approach less the lowest distance: the zero
@@ -188,8 +193,9 @@ namespace wheelrail
                        const VectorField      &traction,
                        NormalContact          &normal)
   {
-    using Spectrum               = InfluenceProducts::Spectrum;
-    InfluenceProducts  &products = kernels.products();
+    using Spectrum              = InfluenceProducts::Spectrum;
+    InfluenceProducts &products = kernels.products();
+    // h [m], to which displacements under tractions add
     std::vector<double> distance = problem.undeformed_distance;
     if (problem.added && !traction[0].empty())
       problem.added->add_displacement({{&traction[0], &traction[1], nullptr}},

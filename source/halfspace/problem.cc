@@ -23,6 +23,7 @@ namespace wheelrail
     grid.my = 2 * ny + 1;
     grid.dx = dx;
     grid.dy = dy;
+    // an odd number each way: one element has its middle at 0
     grid.x0 = -nx * dx;
     grid.y0 = -ny * dy;
     return grid;
@@ -60,11 +61,16 @@ namespace wheelrail
           numbers.insert(numbers.end(), {problem.heat->far[body], problem.heat->effusivity[body]});
       for (const auto *values : {&problem.rigid_slip_x, &problem.rigid_slip_y, &problem.pressure})
         numbers.insert(numbers.end(), values->begin(), values->end());
+      // products of several such numbers have to stay finite, too
       constexpr double most = 1e20;
+      // what is not asked for may be NaN, which is not >= the limit
       return std::none_of(numbers.begin(), numbers.end(), [](const double v) { return std::abs(v) >= most; });
     }
   } // namespace
 
+  // Conditions are written as !(x > 0), which NaN fails, too. Temperatures are those of steady rolling (Ertz
+  // and Knothe 2002); the state before is taken element by element, so that its grid has to be the same one,
+  // moved with the contact.
   void
   check_problem(const HalfspaceProblem &problem)
   {
@@ -73,6 +79,7 @@ namespace wheelrail
     if (g.mx < 1 || g.my < 1 || !(g.dx > 0) || !(g.dy > 0))
       refuse("the grid needs at least one element in each direction and positive element lengths.");
     const std::size_t n = g.size();
+    // given pressures need no distance: there is no normal problem
     if (problem.pressure.empty() && problem.undeformed_distance.size() != n)
       refuse("the undeformed distance has " + std::to_string(problem.undeformed_distance.size()) +
              " values, the grid " + std::to_string(n) + " elements.");
@@ -82,10 +89,12 @@ namespace wheelrail
           "the undeformed distance holds a value that is not finite; give elements where no surface lies a "
           "large "
           "distance instead.");
+    // rigid slip is over the rolling speed [-]; in a shift a distance [m]
     for (const auto *slip : {&problem.rigid_slip_x, &problem.rigid_slip_y})
       if (!slip->empty() && slip->size() != n)
         refuse("a field of rigid slip has " + std::to_string(slip->size()) + " values, the grid " +
                std::to_string(n) + " elements.");
+    // nu = 0.5 is accepted: (1 - nu)/G and nu/G of half-spaces stay finite
     for (const HalfspaceBody &b : {problem.body1, problem.body2})
       if (!(b.shear_modulus > 0) || !(b.poisson_ratio >= 0 && b.poisson_ratio <= 0.5))
         refuse("a body has the shear modulus " + std::to_string(b.shear_modulus) +
@@ -129,6 +138,7 @@ namespace wheelrail
   sampled_distance(const HalfspaceGrid &grid, const std::function<double(double, double)> &h)
   {
     std::vector<double> distance(grid.size());
+    // x fastest: value(i, j) at i + mx j, at the centres of elements
     for (int j = 0; j < grid.my; ++j)
       for (int i = 0; i < grid.mx; ++i)
         distance[i + grid.mx * j] = h(grid.x(i), grid.y(j));

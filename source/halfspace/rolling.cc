@@ -13,6 +13,10 @@
 #include <utility>
 #include <vector>
 
+// Rolling contact of two half-spaces (doc/theory/halfspace.md, Equations): normal problem, tangential
+// problem, and what ties them, by turns until they settle (Panagiotopoulos 1975): tractions of unlike bodies
+// move surfaces along the normal, pressures along the tangent; friction follows the slip speed.
+
 namespace wheelrail
 {
   namespace
@@ -48,6 +52,7 @@ namespace wheelrail
         // [m]
         solution_.step = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
         offset_        = shift ? 0. : solution_.step;
+        // a guess saves steps; the solution is the same to the tolerances
         if (guess && guess->grid.mx == grid_.mx && guess->grid.my == grid_.my)
           {
             normal_.pressure = guess->pressure;
@@ -74,6 +79,7 @@ namespace wheelrail
                        const double               factor,
                        std::vector<double>       &result)
       {
+        // u_a = A_ab t_b by FFT; `ahead` > 0: where the particle was one step before
         Spectrum            s;
         std::vector<double> u;
         products_.forward(traction, s);
@@ -113,6 +119,9 @@ namespace wheelrail
       HalfspaceSolution       solution_;
     };
 
+    // w: all of the slip that does not depend on the tractions of this step (doc/theory/halfspace.md, Frame
+    // and signs, Equations): spin and given fields; of unlike bodies what the pressure shifts; in a shift or
+    // a step of transient rolling -u'/dq of the state before, which steady rolling has in B.
     VectorField
     Solver::rigid_slip(const std::vector<RunIn> &run_in)
     {
@@ -137,6 +146,7 @@ namespace wheelrail
       const bool   steady   = problem_.motion == HalfspaceMotion::steady;
       for (int d = 0; d < 2; ++d)
         {
+          // u_d/dq at the end of the step, at its begin, and at the begin on the leading edge
           std::vector<double> now(w[d].size(), 0.), before = now, edge = now;
           if (coupled_)
             {
@@ -187,14 +197,16 @@ namespace wheelrail
       if (steady && !task.run_in.empty() && displacement_.xx.empty())
         displacement_ = slip_kernels(products_, kernels_.constants(), grid_, solution_.step, false);
       task.displacement = steady ? &displacement_ : nullptr;
-      task.force_given  = {{problem_.longitudinal_force_given, problem_.lateral_force_given}};
-      task.force        = {{problem_.fx, problem_.fy}};
-      task.tolerance    = problem_.tangential_tolerance;
-      task.max_steps    = problem_.max_newton_steps;
-      task.yield        = brought_yield(problem_);
-      task.hardening    = problem_.layer_hardening * solution_.step;
-      task.least_yield  = 0.1 * problem_.layer_yield;
-      task.carried      = problem_.motion == HalfspaceMotion::steady;
+      // a force along x alone, or both: the moment is a result
+      task.force_given = {{problem_.longitudinal_force_given, problem_.lateral_force_given}};
+      task.force       = {{problem_.fx, problem_.fy}};
+      task.tolerance   = problem_.tangential_tolerance;
+      task.max_steps   = problem_.max_newton_steps;
+      task.yield       = brought_yield(problem_);
+      // slips are over the step: h |s| dq of plastic shift hardens by this [Pa]
+      task.hardening   = problem_.layer_hardening * solution_.step;
+      task.least_yield = 0.1 * problem_.layer_yield;
+      task.carried     = problem_.motion == HalfspaceMotion::steady;
       task.bound.resize(grid_.size());
       double limit = 0;
       for (std::size_t e = 0; e < task.bound.size(); ++e)
@@ -203,6 +215,7 @@ namespace wheelrail
           task.bound[e] = mu_[e] * normal_.pressure[e];
           limit += task.bound[e] * grid_.element_area();
         }
+      // a force beyond sum(mu p) dA spins up: no tractions
       const double asked =
         std::hypot(task.force_given[0] ? task.force[0] : 0., task.force_given[1] ? task.force[1] : 0.);
       // 1e-9: at the limit itself the creepage is infinite
@@ -221,6 +234,7 @@ namespace wheelrail
       if (problem_.simplified)
         solve_simplified(problem_, solution_.step, normal_.pressure, task, tangential_, mu_);
       else
+        // from the tractions of the last round on
         solve_tangential(products_, task, tangential_);
       solution_.newton_steps += tangential_.newton_steps;
       solution_.krylov_iterations += tangential_.krylov_iterations;
@@ -240,6 +254,7 @@ namespace wheelrail
         normal_.pressure,
         problem_.hot_friction.empty() ? std::vector<double>()
                                       : temperatures_in_rolling(problem_, normal_.pressure, tangential_)[0]);
+      // fixed point mu = mu(|s(mu)| V), relaxed: friction that falls with speed makes the map steep
       std::vector<double> steps(mu_.size(), 0.);
       double              same = 0; // direction as in the round before
       for (std::size_t e = 0; e < mu_.size(); ++e)
@@ -260,6 +275,7 @@ namespace wheelrail
     HalfspaceSolution
     Solver::run()
     {
+      // from rest: the solution with the least slip; from_sliding: that with the most
       tangential_.creepage = {{problem_.xi, problem_.eta}};
       mu_.resize(std::size_t(grid_.size()));
       for (int e = 0; e < grid_.size(); ++e)
@@ -293,7 +309,9 @@ namespace wheelrail
           if (solution_.coupling_converged || last || !solution_.within_friction)
             break;
         }
+      // 4. Displacements, temperatures, state of the layer, sums
       displacements();
+      // heat of this solution's own slip; temperatures that change friction were those of each round
       if (problem_.heat && problem_.motion == HalfspaceMotion::steady)
         solution_.temperature = temperatures_in_rolling(problem_, normal_.pressure, tangential_);
       set_layer_state(problem_, tangential_, solution_);
@@ -322,7 +340,8 @@ namespace wheelrail
       s.slip_y             = tangential_.slip[1];
       for (auto *field : {&s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y})
         field->resize(n, 0.);
-      s.friction       = mu_;
+      s.friction = mu_;
+      // u_n under the pressures; what tractions of unlike bodies add comes below
       s.displacement_n = normal_.displacement;
       s.displacement_n.resize(n, 0.);
       s.displacement_x.assign(n, 0.);
@@ -370,6 +389,7 @@ namespace wheelrail
                 const HalfspaceSolution           *guess)
   {
     check_problem(problem);
+    // influence functions take most of the time of a small solution, and serve all loads on the same grid
     if (!kernels || !kernels->fit(problem))
       kernels = std::make_shared<HalfspaceKernels>(problem);
     return Solver(problem, *kernels, guess).run();

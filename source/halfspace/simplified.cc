@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstddef>
 
+// Simplified theory, FASTSIM (Kalker 1982): u = L t at each point by itself, L the flexibilities [m/Pa], so
+// that a row is one sweep from its leading edge. Forces are off by some ten per cent.
+
 namespace wheelrail
 {
   namespace
@@ -42,11 +45,13 @@ namespace wheelrail
           return friction_of_particle(
             problem, problem.friction_of_row(j).at(velocity), velocity, ahead, step);
         };
+        // 1. Friction at rest bounds what sticks
         double high = at(0);
         slips       = std::hypot(trial[0], trial[1]) > high * p;
         if (!slips || !problem.friction_of_row(j).depends_on_speed())
           return high;
         // a smaller coefficient slips faster, which has a smaller one again: halving
+        // 2. The largest coefficient that fits its own slip: mu = mu(V |s(mu)|)
         double low = 0;
         for (int k = 0; k < 50; ++k)
           {
@@ -61,6 +66,7 @@ namespace wheelrail
       std::array<double, 2>
       operator()()
       {
+        // doc/theory/halfspace.md has the signs: x ahead, tractions on body 1, s of body 1 against body 2
         const HalfspaceGrid &grid = task.grid;
         const double         L[2] = {problem.simplified->along, problem.simplified->across};
         const auto           n    = std::size_t(grid.size());
@@ -73,6 +79,7 @@ namespace wheelrail
         std::array<double, 2> force{{0, 0}};
         for (int j = 0; j < grid.my; ++j)
           {
+            // unloaded material runs in with t = 0
             std::array<double, 2> t{{0, 0}}; // of the element ahead
             double                ahead = problem.friction_of_row(j).at(0);
             for (int i = grid.mx - 1; i >= 0; --i)
@@ -124,14 +131,17 @@ namespace wheelrail
                    TangentialState           &state,
                    std::vector<double>       &friction)
   {
-    Sweep  sweep{problem, step, pressure, task, state, friction};
+    Sweep sweep{problem, step, pressure, task, state, friction};
+    // creepages beyond 4 width slide everywhere: the root lies between
     double limit = 0, width = 0;
     for (const double bound : task.bound)
       {
         limit += bound * task.grid.element_area();
         width = std::max(width, bound);
       }
+    // a slip of mu p L/dq carries an element to its bound within one step
     width *= std::max(problem.simplified->along, problem.simplified->across) / step; // all elements slide
+    // given creepages: one sweep is the solution
     std::array<double, 2> force = sweep();
     // a force falls as its creepage rises: halving, that along inside that across
     const auto search = [&](const int d, const auto &others) {
@@ -150,6 +160,7 @@ namespace wheelrail
       search(1, along);
     else
       along();
+    // missing force over mu N
     state.residual = 0;
     for (int d = 0; d < 2; ++d)
       if (task.force_given[d] && limit > 0)

@@ -38,6 +38,7 @@ namespace wheelrail
     const HalfspaceGrid &grid = s.grid;
     const std::size_t    n    = grid.size();
     SlidingPaths         paths;
+    // path of element e: from the centre of e + 1 to that of e, dx long
     for (auto *field : {&paths.pressure, &paths.traction_x, &paths.traction_y, &paths.slip_x, &paths.slip_y})
       field->assign(n, 0.);
     for (int j = 0; j < grid.my; ++j)
@@ -55,6 +56,7 @@ namespace wheelrail
           paths.pressure[e]   = mean(s.pressure);
           paths.traction_x[e] = mean(s.traction_x);
           paths.traction_y[e] = mean(s.traction_y);
+          // the slip of e is that of the path to e: (u - u')/dq counts from the centre upstream
           if (here)
             {
               paths.slip_x[e] = s.slip_x[e];
@@ -82,6 +84,7 @@ namespace wheelrail
     const SlidingPaths paths = sliding_paths(problem, s);
     double             work  = 0;
     for (std::size_t e = 0; e < paths.slip_x.size(); ++e)
+      // -t . s dA, positive; per metre rolled, since slips are over the speed [J/m]
       work -= paths.traction_x[e] * paths.slip_x[e] + paths.traction_y[e] * paths.slip_y[e];
     return work * s.grid.element_area();
   }

@@ -17,6 +17,7 @@ namespace wheelrail
                const bool                steady)
   {
     SlipKernels k;
+    // xx, xy, yy: A_xy = A_yx, and tractions along n enter by the rigid slip
     k.step                                 = step;
     k.steady                               = steady;
     const std::vector<InfluencePair> pairs = {{0, 0}, {0, 1}, {1, 1}};
@@ -41,6 +42,7 @@ namespace wheelrail
         k.inverse_xy[m]  = -scale * b / det;
         k.inverse_yy[m]  = scale * a / det;
       }
+    // of an element on itself [m/Pa]
     const auto c0 = influence_coefficients(constants, grid.dx, grid.dy, 0, 0);
     if (steady)
       {

@@ -26,6 +26,7 @@ namespace wheelrail
     {
       // the load from -hx to hx: seen from it the point is x + hx, x - hx off its edges
       const double hx = grid.dx / 2, hy = grid.dy / 2;
+      // far_far, far_near, near_far, near_near: the first is that of x
       add_stress(rectangle_derivatives(corner_derivatives(x + hx, y + hy, z),
                                        corner_derivatives(x + hx, y - hy, z),
                                        corner_derivatives(x - hx, y + hy, z),
@@ -61,6 +62,7 @@ namespace wheelrail
                       const HalfspaceSide                 side,
                       const std::vector<SubsurfacePoint> &points)
   {
+    // for a few points; layers below all elements at once are cheaper by FFT (SubsurfaceLayers)
     const HalfspaceGrid &g = solution.grid;
     // p and t act on body 1, whose inside lies along +n. Body 2 has the opposite tractions, and its depth
     // runs along -n, so that a pressure presses it, too.
@@ -68,6 +70,7 @@ namespace wheelrail
     std::vector<HalfspaceStress> stresses(points.size());
     for (std::size_t k = 0; k < points.size(); ++k)
       {
+        // z is the depth into the body; points at the surface, z = 0, are limits from inside
         const SubsurfacePoint &point = points[k];
         check_depth(point.depth);
         for (int j = 0; j < g.my; ++j)

@@ -47,6 +47,7 @@ namespace wheelrail
           field.resize(std::size_t(nx) * ny);
       sweep_corners(
         grid,
+        // a quarter of the distances; mirror images give the others
         {0, nx / 2 + 1, 0, ny / 2 + 1},
         0,
         // a corner belongs to four elements: its derivatives are computed once
@@ -63,6 +64,7 @@ namespace wheelrail
                   const double value  = stress.*components[c];
                   const int    sign_x = is_odd(c, load, 0) ? -1 : 1, sign_y = is_odd(c, load, 1) ? -1 : 1;
                   const auto   set = [&](const int column, const int row, const double to) {
+                    // distances nx/2 lie beyond the table, which ends at nx/2 - 1
                     if (column < nx && row < ny)
                       // the distance 0 stands in the middle, at (nx/2, ny/2)
                       unit[load].of[c][column + std::size_t(nx) * row] = to;
@@ -85,6 +87,7 @@ namespace wheelrail
     in_body(const std::array<std::vector<HalfspaceStress>, 2> &shares, const double sign)
     {
       std::vector<HalfspaceStress> stresses(shares[0].size());
+      // body 2 has -t and depth against n: in its own frame (x, y, -n) a pressure is a pressure
       for (std::size_t e = 0; e < stresses.size(); ++e)
         {
           for (const auto component : components)
@@ -107,6 +110,7 @@ namespace wheelrail
     , poisson_ratio2_(body2.poisson_ratio)
     , products_(solution.grid)
   {
+    // loads are transformed once for all layers
     products_.forward(solution.traction_x, loads_[0]);
     products_.forward(solution.traction_y, loads_[1]);
     products_.forward(solution.pressure, loads_[2]);
@@ -116,10 +120,12 @@ namespace wheelrail
   std::array<std::vector<HalfspaceStress>, 2>
   SubsurfaceLayers::shares(const double poisson_ratio, const double depth)
   {
+    // unit stresses depend on depth and Poisson's ratio: a table for each layer, then FFTs of 18 pairs
     const auto                                  unit = unit_stresses(grid_, products_, poisson_ratio, depth);
     std::array<std::vector<HalfspaceStress>, 2> shares;
     for (auto &share : shares)
       share.resize(grid_.size());
+    // two products a component: tractions, pressure
     std::vector<double>         field;
     InfluenceProducts::Spectrum sum(products_.spectrum_size());
     for (std::size_t c = 0; c < components.size(); ++c)
@@ -147,6 +153,7 @@ namespace wheelrail
   SubsurfaceLayers::at(const double depth)
   {
     check_depth(depth);
+    // like bodies have the same shares, body 2 with the other sign of tractions
     const auto first = shares(poisson_ratio1_, depth);
     return {in_body(first, 1),
             in_body(poisson_ratio2_ == poisson_ratio1_ ? first : shares(poisson_ratio2_, depth), -1)};

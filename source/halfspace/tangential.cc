@@ -96,8 +96,10 @@ namespace wheelrail
             std::vector<double> &slip,
             TangentialState     &state)
     {
-      const LinearMap     A = [&](const auto &v, auto &r) { system.multiply(v, r); };
-      const LinearMap     M = [&](const auto &v, auto &r) { system.precondition(v, r); };
+      const LinearMap A = [&](const auto &v, auto &r) { system.multiply(v, r); };
+      const LinearMap M = [&](const auto &v, auto &r) { system.precondition(v, r); };
+      // P is not smooth where |q| = g; on either side of it the equations are, and each step takes the side
+      // on which q lies (semi-smooth).
       std::vector<double> rhs, step;
       for (int steps = 0;; ++steps)
         {
@@ -136,6 +138,7 @@ namespace wheelrail
       for (double c = task.kernels->diagonal; state.newton_steps < last;)
         {
           const std::vector<double> before = t;
+          // the larger c is, the nearer the solution stays to t before
           system.hold(c, before);
           const bool good = iterate(system, 0.1 * task.tolerance, max_inner_steps, true, t, slip, state);
           system.hold(0, before);
@@ -169,6 +172,7 @@ namespace wheelrail
       const int      d     = task.force_given[0] ? 0 : 1;
       TangentialTask given = task;
       given.force_given    = {{false, false}};
+      // sum of mu p dA [N]; slip at which the stiffest element certainly slides
       double limit = 0, width = 0;
       for (std::size_t e = 0; e < task.bound.size(); ++e)
         if (task.bound[e] > 0)
@@ -180,6 +184,7 @@ namespace wheelrail
       trial.creepage     = {{std::isfinite(state.creepage[0]) ? state.creepage[0] : 0,
                          std::isfinite(state.creepage[1]) ? state.creepage[1] : 0}};
       const auto missing = [&](const double creepage) {
+        // each try begins with the tractions of the one before
         trial.creepage[d] = creepage;
         solve_at_once(products, given, trial);
         state.newton_steps += trial.newton_steps;
@@ -189,6 +194,7 @@ namespace wheelrail
           force += t * task.grid.element_area();
         return task.force[d] - force; // rises with the creepage
       };
+      // 1. Bracket, doubled until the force lies within; 2. halving
       double low = -width, high = width;
       for (int k = 0; k < 30 && missing(low) > 0; ++k)
         low *= 2;
@@ -197,6 +203,7 @@ namespace wheelrail
       for (int k = 0; k < 60; ++k)
         {
           const double middle = 0.5 * (low + high), more = missing(middle);
+          // over the force that friction carries in all
           if (trial.converged && std::abs(more) <= task.tolerance * limit)
             {
               trial.newton_steps      = state.newton_steps;
@@ -229,8 +236,9 @@ namespace wheelrail
       std::vector<double> cold(2 * n + system.forces.size(), 0.), slip, unused;
       for (std::size_t f = 0; f < system.forces.size(); ++f)
         cold[2 * n + f] = state.creepage[system.forces[f]];
-      std::vector<double> t    = cold;
-      bool                warm = false;
+      std::vector<double> t = cold;
+      // guess: tractions of an earlier solution, cut to the bound of now
+      bool warm = false;
       if (int(state.traction[0].size()) == task.grid.size())
         for (std::size_t e = 0; e < n; ++e)
           for (int d = 0; d < 2; ++d)
@@ -277,6 +285,7 @@ namespace wheelrail
               state.slip[d][system.elements[e]]     = slip[2 * e + d];
             }
         }
+      // creepages that were found, behind the tractions
       for (std::size_t f = 0; f < system.forces.size(); ++f)
         state.creepage[system.forces[f]] = t[2 * n + f];
     }
@@ -287,13 +296,15 @@ namespace wheelrail
   elements_run_in(const HalfspaceProblem &problem, const double step, const std::vector<double> &pressure)
   {
     const HalfspaceGrid &grid = problem.grid;
-    std::vector<RunIn>   found;
+    // a step of one element at most: every particle in contact was in contact, or at the edge, a step before
+    std::vector<RunIn> found;
     if (problem.motion == HalfspaceMotion::shift || problem.simplified || step < 1.001 * grid.dx)
       return found;
     for (int j = 0; j < grid.my; ++j)
       for (int i = grid.mx - 1, edge = -1; i >= 0; --i)
         {
           const int e = i + grid.mx * j;
+          // from the leading edge on, against x
           if (!(pressure[e] > 0))
             edge = e;
           else if (edge >= 0 && i + 2 < grid.mx && (edge - e) * grid.dx < 0.9999 * step)

@@ -15,17 +15,21 @@ namespace wheelrail
     : grid_(problem.grid)
     , kernels_(problem)
   {
+    // from y towards n [rad]: of a row that rises to one side
     for (const double angle : angles)
       {
         cosine_.push_back(std::cos(angle));
         sine_.push_back(std::sin(angle));
       }
+    // y and n turn, x does not. Of like bodies pressure displaces along n alone, tractions in the plane
+    // alone.
     const bool   coupled = kernels_.constants().coupling != 0;
     const double step    = problem.step > 0 ? problem.step : grid_.dx;
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 3; ++b)
         if (coupled || (a == 1) == (b == 2))
           {
+            // y and n under x, y, n: a + 1 is their number among (x, y, n)
             const auto component      = std::size_t(a);
             here_[component][b]       = kernels_.of(a + 1, b, 0);
             Spectrum       &slip      = slip_[component][b];
@@ -44,12 +48,16 @@ namespace wheelrail
     const std::size_t mx = std::size_t(grid_.mx), n = std::size_t(grid_.size());
     // displacements y, n of the tractions themselves, times their cosines and times their sines
     std::array<std::array<Spectrum, 2>, 3> sums;
+    // 1. Displacements in the directions of the loaded element, with cos a_J and sin a_J taken into the
+    // tractions: a_I - a_J is no function of the distance I - J, as the FFT needs it, but its sine and cosine
+    // are sums of products
     for (std::size_t b = 0; b < 3; ++b)
       {
         if (!traction[b])
           continue;
         for (std::size_t kind = 0; kind < 3; ++kind)
           {
+            // kind 0: as it is; 1: times cos a_J; 2: times sin a_J
             std::vector<double> field = *traction[b];
             for (std::size_t e = 0; kind > 0 && e < n; ++e)
               field[e] *= kind == 1 ? cosine_[e / mx] : sine_[e / mx];
@@ -66,6 +74,7 @@ namespace wheelrail
               }
           }
       }
+    // 2. Back to fields: three kinds of y, three of n
     const auto field_of = [&](std::size_t kind, std::size_t a) {
       std::vector<double> field(n, 0.);
       if (!sums[kind][a].empty())
@@ -76,6 +85,7 @@ namespace wheelrail
                y_sin = field_of(2, 0), n_sin = field_of(2, 1);
     for (std::size_t e = 0; e < n; ++e)
       {
+        // 3. Sum and turn
         const double c = cosine_[e / mx], s = sine_[e / mx];
         // sum over J of w turned by a_J into the plane: w_s cos a_J - w_n sin a_J, w_s sin a_J + w_n cos a_J
         const double across = y_cos[e] - n_sin[e], down = y_sin[e] + n_cos[e];
@@ -109,6 +119,7 @@ namespace wheelrail
                std::shared_ptr<HalfspaceKernels> &kernels,
                const HalfspaceSolution           *guess)
   {
+    // tractions shift surfaces along the normal by the guess of the round before: hence rounds
     problem.added         = std::make_shared<TurnedRows>(problem, angles);
     HalfspaceSolution now = solve_rolling(problem, kernels, guess);
     for (int round = 1; round < rounds; ++round)
