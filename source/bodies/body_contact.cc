@@ -34,6 +34,7 @@ namespace wheelrail
     , rate_(scene.velocity / geometry.contact.rolling_radius)
     , problem_(halfspace_problem(scene))
   {
+    // y = 0 of the grid: the first contact point, on the rail's own profile
     const Curve &head    = geometry.rail.head;
     first_               = head.closest(geometry.contact.rail.to_section(geometry.contact.frame.origin));
     first_arc_           = head.length(0, first_);
@@ -48,12 +49,15 @@ namespace wheelrail
   void
   BodyContact::set_bodies()
   {
+    // rows of elements have equal arcs on the rail; those on the wheel and the angles are what the profiles
+    // make of them
     std::vector<PlacedRow> rows;
     for (std::size_t j = 0; j < rows_.size(); ++j)
       rows.push_back({rows_[j].rail_arc, rows_[j].wheel_arc, rows_[j].angle, problem_.grid.y(j)});
-    const double       step      = problem_.step > 0 ? problem_.step : problem_.grid.dx;
-    const PlacedBodies placed    = place_bodies(tables_, geometry_.contact, rows, problem_.grid, step);
-    added_                       = added_influence(placed, problem_.grid, step);
+    const double       step   = problem_.step > 0 ? problem_.step : problem_.grid.dx;
+    const PlacedBodies placed = place_bodies(tables_, geometry_.contact, rows, problem_.grid, step);
+    added_                    = added_influence(placed, problem_.grid, step);
+    // rows of elements keep these influences while they move by tenths of a millimetre
     contact_rows_                = placed.rows;
     growth_                      = growth(tables_.wheel, placed.placements[1], placed.rows[1], rate_);
     problem_.added               = added_;
@@ -68,8 +72,12 @@ namespace wheelrail
   BodyContact::set_slip()
   {
     const HalfspaceGrid &grid = problem_.grid;
+    // slip of rigid bodies in the rows' present places; the stretch of the tread comes on top in
+    // solve_round()
     own_slip_.assign(grid.size(), 0.);
     problem_.rigid_slip_y.assign(grid.size(), 0.);
+    // CONTACT counts the spin dq/6 upstream of the centre; across, where the rolling circle comes down,
+    // likewise
     const double offset = problem_.spin_offset * grid.dx;
     for (int j = 0; j < grid.my; ++j)
       {
@@ -93,6 +101,7 @@ namespace wheelrail
     const HalfspaceGrid &grid = problem_.grid;
     std::vector<double>  rise(grid.size(), 0.);
     // y and n of the wheel's half-space
+    // with a rigid rail the difference, body 1 less body 2, is minus the wheel's own displacement
     const auto own    = displacements(*wheel_kernels_, {1, 2}, t);
     const auto beyond = added_->fixed_displacement(1, t);
     for (int j = 0; j < grid.my; ++j)
@@ -118,6 +127,8 @@ namespace wheelrail
   double
   BodyContact::stretch_of_tread() const
   {
+    // e of doc/theory/rolling.md, Static start, by pressure alone: the same number from the bodies' own
+    // tables
     const HalfspaceGrid      &grid = problem_.grid;
     const std::vector<double> none(grid.size(), 0.), rise = wheel_rise({{&none, &none, &solution_.pressure}});
     std::vector<double>       slip(grid.size(), 0.);
@@ -153,6 +164,7 @@ namespace wheelrail
     const HalfspaceGrid &grid  = problem_.grid;
     const bool           first = solution_.grid.size() == 0;
     // what tractions across carry of the load
+    // 1. Load and force for the solver, with the tractions of the round before
     double shear = 0;
     for (int j = 0; j < grid.my && !first; ++j)
       for (int i = 0; i < grid.mx; ++i)
@@ -165,9 +177,11 @@ namespace wheelrail
       problem_.xi = load.creepage;
     // longitudinal force along the track = fx cos(yaw) + lateral force sin(yaw), on the wheel: the rail as
     // body 1 has minus it
+    // a load that slides asks for ten times what it has, so that friction's bound answers
     problem_.fx = load.slides
                     ? -std::copysign(10 * load.force, load.longitudinal)
                     : -(load.longitudinal - (first ? 0 : force().x) * std::sin(yaw)) / std::cos(yaw);
+    // 2. Rigid slip
     set_slip();
     const std::vector<double> before = rise_;
     problem_.rigid_slip_x            = own_slip_;
@@ -176,6 +190,8 @@ namespace wheelrail
         if (rows_[j].touches)
           // w_x = r omega/V - 1 with r - u_Y for r (doc/theory/bodies.md, slip along the track)
           problem_.rigid_slip_x[i + grid.mx * j] -= rise_[i + grid.mx * j] / rows_[j].slice.radius;
+    // 3. Half-space problem with the remainder; in the first round pressure alone, without tractions to guess
+    // from
     const HalfspaceSolution guess = solution_;
     if (first) // the pressure alone
       {
@@ -188,6 +204,7 @@ namespace wheelrail
     // the creepage found is the guess of the next round
     if (!first && solution_.within_friction)
       problem_.xi = solution_.xi;
+    // 4. Rise of the tread; 5. how much has changed, and where rows move to
     rise_         = wheel_rise(tractions());
     double change = before.empty() ? 1 : 0;
     for (std::size_t e = 0; e < before.size(); ++e)
@@ -219,6 +236,8 @@ namespace wheelrail
     for (int i = 0; i < grid.mx; ++i)
       // forces of each row at each x, what body_pose() takes
       loads.along.push_back(grid.x(i));
+    // each element's force goes to the rows of the table by the weights of added_influence.cc, so that the
+    // sum of forces is kept
     const double side = on_wheel ? -1 : 1;
     for (int j = 0; j < grid.my; ++j)
       for (int i = 0; i < grid.mx; ++i)
@@ -295,6 +314,7 @@ namespace wheelrail
     result.ahead        = geometry_.contact.ahead;
     const auto   angle  = [&](const double y) { return row_at(y).angle; };
     const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;
+    // by which the surface turns across the patch: conformal where it is large [rad]
     result.turn = std::abs(angle(middle + half) - angle(middle - half));
     std::vector<double> places;
     for (const Row &row : rows_)
@@ -312,6 +332,7 @@ namespace wheelrail
             x += p * problem_.grid.x(i);
             y += p * problem_.grid.y(j);
           }
+    // the contact angle that is shown
     result.angle /= sum;
     // spin phi = sin(contact angle)/r, angle the mean over the pressure
     result.spin = std::sin(wheel_angle / sum) / geometry_.contact.rolling_radius;
@@ -332,6 +353,7 @@ namespace wheelrail
                const WheelRailLoad &load,
                const BodyTables    &tables)
   {
+    // without offsets: where the bodies move to is part of the solution
     BodyContact contact(scene, geometry, tables);
     contact.carry(load);
     return contact.result();
@@ -344,6 +366,7 @@ namespace wheelrail
                    const WheelRailLoad  &load,
                    const SectionOffsets &offsets)
   {
+    // tables of both bodies are read where they are kept, else made (0.3 s)
     const auto        begin = std::chrono::steady_clock::now();
     WheelRailSolution result =
       scene.halfspace_bodies == ContactBodies::real

@@ -25,7 +25,8 @@ namespace wheelrail
     std::vector<double>
     remainder_at(const BodyTable &table, const ContactRows &rows, const double wave)
     {
-      const unsigned int    first = table.wheel ? table.harmonics : 0, last = table.waves.size() - 1;
+      const unsigned int first = table.wheel ? table.harmonics : 0, last = table.waves.size() - 1;
+      // four wavenumbers around `wave`, two on either side but at the ends
       std::array<double, 4> weights{};
       unsigned int          from = first;
       if (wave <= table.waves[first])
@@ -44,6 +45,7 @@ namespace wheelrail
                                 std::log(table.waves[from + i] / table.waves[from + j]);
             }
         }
+      // the part of the table between the rows of the contact, weighted
       const std::size_t   n = 3 * rows.count, all = 3 * table.rows.size();
       std::vector<double> D(n * n, 0.);
       for (int w = 0; w < 4; ++w)
@@ -109,7 +111,8 @@ namespace wheelrail
       // H of one body alone, displacements under tractions on it; at distance 0, where the tangential-normal
       // terms jump, the mean of both sides
       LineResponse local{};
-      const bool   close = std::abs(s) < least;
+      // n is left of t, that is up: out of a rail, into a wheel, hence `outwards` of halfspace_line()
+      const bool close = std::abs(s) < least;
       for (const double side : {1., -1.})
         {
           const LineResponse one = halfspace_line(
@@ -131,14 +134,17 @@ namespace wheelrail
     std::vector<RowPlace>
     row_places(const BodyTable &table, const BodyPlacement &placement, const ContactRows &rows)
     {
+      // Of each row of the table: where it lies on its body, and where on the unfolded rail, in which the
+      // half-spaces of the solver count distances
       std::vector<RowPlace>      places;
       const std::vector<double> &arcs = placement.arcs;
       for (int r = rows.first; r < rows.first + rows.count; ++r)
         {
           const BodyTable::Row &row = table.rows[r];
           // between the rows of elements; beyond them it goes on as at the end
-          const auto   above  = std::upper_bound(arcs.begin(), arcs.end(), row.arc) - arcs.begin();
-          const int    i      = std::clamp<int>(above - 1, 0, int(arcs.size()) - 2);
+          const auto above = std::upper_bound(arcs.begin(), arcs.end(), row.arc) - arcs.begin();
+          const int  i     = std::clamp<int>(above - 1, 0, int(arcs.size()) - 2);
+          // arcs ascend on the wheel as on the rail: both run towards the track centre
           const double step   = arcs[i + 1] - arcs[i];
           const double f      = std::clamp((row.arc - arcs[i]) / step, 0., 1.),
                        beyond = row.arc - arcs[i] - f * step;
@@ -173,6 +179,7 @@ namespace wheelrail
       for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t j = 0; j < places.size(); ++j)
           {
+            // a receives, b is loaded
             const RowPlace &a = places[i], &b = places[j];
             if (i == j)
               {
@@ -239,6 +246,8 @@ namespace wheelrail
                          const std::vector<double>   &lags,
                          std::vector<double>         &by_lag)
     {
+      // 1. Harmonics n of the half-space along the contact, 1/(pi r) each, of n = 0 half and with k = 0.3/r,
+      // where H is finite
       std::vector<Wave> waves;
       for (unsigned int n = 0; n < table.harmonics; ++n)
         waves.push_back(
@@ -293,6 +302,7 @@ namespace wheelrail
     if (rows.count < 4)
       throw RunError("The contact lies beside the running surface of the " +
                      std::string(table.wheel ? "wheel" : "rail") + " that has a table of its elasticity.");
+    // rows of the table between which the spline goes
     std::vector<double> arcs;
     for (int r = rows.first; r <= last; ++r)
       arcs.push_back(table.rows[r].arc);
@@ -304,6 +314,7 @@ namespace wheelrail
         std::vector<double> unit(rows.count, 0.);
         // weights of the natural cubic spline: its value at the arc for a 1 on row r and 0 on the others
         unit[r] = 1;
+        // a spline is linear in its values: weights serve displacements and, transposed, forces
         gsl_interp_init(spline, arcs.data(), unit.data(), rows.count);
         for (std::size_t j = 0; j < placement.arcs.size(); ++j)
           rows.weights[j * rows.count + r] =
@@ -363,10 +374,12 @@ namespace wheelrail
   std::vector<Point2>
   growth(const BodyTable &table, const BodyPlacement &placement, const ContactRows &rows, const double rate)
   {
+    // into the axes of the track; along it nothing grows
     const double        c = std::cos(placement.turn), s = std::sin(placement.turn);
     std::vector<Point2> growth;
     for (std::size_t j = 0; j < placement.arcs.size(); ++j)
       {
+        // the same weights as of displacements under loads
         Point2 sum;
         for (int r = 0; r < rows.count; ++r)
           sum = sum + rows.weights[j * rows.count + r] * rate * rate * table.rows[rows.first + r].growth;

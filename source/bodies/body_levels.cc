@@ -39,14 +39,17 @@ namespace wheelrail
     added_.reset();
     kernels_.reset();
     wheel_kernels_.reset();
+    // 1. The fine grid
     lay_grid(element_, reached_);
+    // 2. Pressure and tractions of the coarse one as a guess; 3. rise and motions of the rows from these
     solution_      = coarse;
     solution_.grid = problem_.grid;
     for (const auto field :
          {&HalfspaceSolution::pressure, &HalfspaceSolution::traction_x, &HalfspaceSolution::traction_y})
       solution_.*field = onto(problem_.grid, coarse.grid, coarse.*field);
     kernels_ = std::make_shared<HalfspaceKernels>(problem_);
-    rise_    = wheel_rise(tractions());
+    // stretch and motions of the coarse solution, so that the first fine round begins settled
+    rise_ = wheel_rise(tractions());
     move_rows();
   }
 
@@ -56,6 +59,7 @@ namespace wheelrail
   {
     constexpr int    most_rounds = 40, most_enlargements = 6;
     constexpr double load_settled = 1e-4;
+    // loose problems first: rounds change their data anyway
     problem_.tangential_tolerance = tolerance;
     for (rounds_ = 0; rounds_ < most_rounds; ++rounds_)
       {
@@ -83,10 +87,12 @@ namespace wheelrail
     if (solution_.grid.size() == 0)
       {
         // what needs many rounds, load, slip and place, is nearly found on a quarter of the elements
+        // `loosely` 100: to a hundred times what counts as settled, tractions to 1e-3
         lay_grid(2 * element_, reached_);
         settle(load, 1e-3, 100);
         refine();
       }
+    // a solution that did not settle is given with a sentence, and judged as not converged
     if (settle(load, tolerance_, 1))
       return;
     solution_.coupling_converged = false;
@@ -97,6 +103,7 @@ namespace wheelrail
   double
   BodyContact::stretch_under_pressure(const WheelRailLoad &load)
   {
+    // one round: pressure alone, nothing rolls yet
     lay_grid(element_, reached_);
     solve_round(load);
     return stretch_of_tread();

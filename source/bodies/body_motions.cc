@@ -25,7 +25,8 @@ namespace wheelrail
   {
     const HalfspaceGrid       &grid = problem_.grid;
     const RowsInfluence::Given t    = tractions();
-    const auto          rail = added_->fixed_displacement(0, t), wheel = added_->fixed_displacement(1, t);
+    const auto rail = added_->fixed_displacement(0, t), wheel = added_->fixed_displacement(1, t);
+    // u_y of rail less wheel, half-spaces and remainder together [m]
     std::vector<double> against = displacements(*kernels_, {1}, t).front();
     added_->add_displacement(t, {{nullptr, &against, nullptr}});
 
@@ -79,6 +80,7 @@ namespace wheelrail
   {
     if (motions_.empty())
       return {};
+    // in rows, so that row_at() may be asked between rows and beside them
     const double place  = std::clamp((y - problem_.grid.y(0)) / problem_.grid.dy, 0., motions_.size() - 1.);
     const std::size_t j = std::min(std::size_t(place), motions_.size() - 2);
     // linear between rows; beyond them as at the end
@@ -94,8 +96,10 @@ namespace wheelrail
   {
     const HalfspaceGrid         &grid   = problem_.grid;
     const std::vector<RowMotion> before = motions_;
-    motions_                            = row_motions();
-    double change                       = before.empty() ? 1e3 : 0;
+    // 1. Turns and shift by the solution of this round
+    motions_      = row_motions();
+    double change = before.empty() ? 1e3 : 0;
+    // 2. New distance, angles and radius of each row that touches; `change` over what counts as settled
     for (int j = 0; j < grid.my; ++j)
       {
         if (!rows_[j].touches)
@@ -115,6 +119,8 @@ namespace wheelrail
           }
         rows_[j] = moved;
       }
+    // 3. Tractions act in the turned directions; the influences themselves stay, those of the undeformed
+    // sections
     std::vector<RowsInfluence::Basis> bases;
     for (const Row &row : rows_)
       bases.push_back(row_basis(row.angle));

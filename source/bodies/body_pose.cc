@@ -36,6 +36,7 @@ namespace wheelrail
     std::vector<Wave>
     waves_of(const bool wheel, const double radius)
     {
+      // the same as in the tables; at 22 mm and more from the contact shorter waves have died
       constexpr int    n_harmonics = 13;
       constexpr double longest     = 0.02; // of the slab [m]
       if (!wheel)
@@ -54,6 +55,8 @@ namespace wheelrail
     std::vector<Vector3>
     wave_of_forces(const BodyInContact &body, const double k, const std::size_t n_rows)
     {
+      // Fourier's transform of forces at places z_i: sum of f cos(k z_i) of those across, of f sin(k z_i) of
+      // those along
       const double         c = std::cos(body.placement.angle), s = std::sin(body.placement.angle);
       std::vector<Vector3> forces(n_rows, Vector3{});
       for (std::size_t r = 0; r < body.loads.forces.size(); ++r)
@@ -75,6 +78,7 @@ namespace wheelrail
     std::vector<Point2>
     slab_means(const BodyInContact &body, const double slab)
     {
+      // 1. Growth; 2. each wave: forces, one solution with K(k), its share in the mean over the slab
       WaveStiffness                 stiffness(body.mesh, body.elasticity, body.wheel);
       const std::vector<SurfaceRow> rows =
         rows_on_profile(body.mesh, body.profile, body.wheel, body.nominal_radius, BodyTableSizes().cells);
@@ -101,6 +105,7 @@ namespace wheelrail
     RigidPart
     fit(const BodyInContact &body, const PoseQuery &query)
     {
+      // places in the axes of the track from the contact point; u likewise
       const std::vector<Point2> means = slab_means(body, query.slab);
       const double              c = std::cos(body.placement.angle), s = std::sin(body.placement.angle);
       RigidFit                  sums;
@@ -121,7 +126,7 @@ namespace wheelrail
             if (body.wheel)
               u.y = -u.y;
             // rigid motion (a - roll dy, b + roll dx) by least squares with the area as weight
-            // (doc/theory/rolling.md, Pose)
+            // (doc/theory/rolling.md, Position and angles)
             sums.add(dx, dy, c * u.x - s * u.y, s * u.x + c * u.y, point.weight);
             ++points;
           }
@@ -133,6 +138,8 @@ namespace wheelrail
   ContactPose
   body_pose(const Scene &scene, const SceneGeometry &geometry, const WheelRailSolution &result)
   {
+    // the fit leaves out what lies nearer than 22 mm to the contact, as that of a run does
+    // (doc/theory/rolling.md, Position and angles)
     const ContactGeometry &contact  = geometry.contact;
     const BodySections     sections = body_sections(scene, geometry);
     PoseQuery              query;

@@ -14,7 +14,8 @@ namespace wheelrail
     const Curve     &head = geometry_.rail.head, &outline = geometry_.contact.outline.curve;
     const Placement &rail = geometry_.contact.rail, &wheel = geometry_.contact.wheel;
     Row              row;
-    const double     t     = head.advance(first_, y);
+    // 1. Place and angle on the rail: arc y from the first contact point
+    const double t         = head.advance(first_, y);
     row.rail_arc           = first_arc_ + y;
     const CurvePoint point = head.at(t);
     row.place              = rail.to_track(point.position);
@@ -28,13 +29,15 @@ namespace wheelrail
     row.angle += motion.turn;
     // the rail's normal cuts the tangent of the wheel at its closest point
     // steel that meets row s lay at s - v before (6)
+    // 2. The wheel's steel that faces it: s - v on its profile; distance along the rail's normal
     const double     tw      = outline.closest(wheel.to_section(row.place - aside));
     const CurvePoint closest = outline.at(tw);
     const Point2     foot    = wheel.to_track(closest.position),
                  tangent     = wheel.to_track(closest.position + closest.tangent) - foot;
     // place + d normal lies on the tangent through foot + aside: cross(tangent, place + d normal - foot -
     // aside) = 0
-    row.distance   = cross(tangent, foot + aside - row.place) / cross(tangent, normal);
+    row.distance = cross(tangent, foot + aside - row.place) / cross(tangent, normal);
+    // 3. Arc on the tread, slice of the wheel, rolling radius and angles there
     row.wheel_arc  = geometry_.wheel.tread.length(0, geometry_.contact.outline.on_tread(tw));
     const double s = geometry_.contact.frame.to_frame(foot).x;
     row.touches    = t > 0 && t < head.parameter_end() && tw > 0 && tw < outline.parameter_end() &&
@@ -57,8 +60,10 @@ namespace wheelrail
   void
   BodyContact::lay_grid(const double element, const double reached)
   {
+    // 1. Extent across: where the rigid surfaces are closer than `reached`
     constexpr double longest = 0.04; // of a stretch without contact that may lie between two patches [m]
-    const auto       end     = [&](const double step) {
+    // the last place where they are, with up to 40 mm between two patches
+    const auto end = [&](const double step) {
       double last = 0;
       for (double y = 0; std::abs(y - last) < longest; y += step)
         {
@@ -71,7 +76,8 @@ namespace wheelrail
       return last;
     };
     const double coarse = std::max(element, 0.5e-3), low = end(-coarse), high = end(coarse);
-    double       back = 0, front = 0;
+    // 2. Extent along: with yaw the overlap lies ahead of or behind the axle, by as much as slices say
+    double back = 0, front = 0;
     for (const double y : {low, 0., high})
       {
         const double along = row_at(y).slice.along;
@@ -84,6 +90,7 @@ namespace wheelrail
               n1 = int(std::ceil((half + front) / element)) + 2, y0 = int(std::floor(low / element)) - 2,
               y1  = int(std::ceil(high / element)) + 2;
     problem_.grid = {n0 + n1 + 1, y1 - y0 + 1, element, element, -n0 * element, y0 * element};
+    // 3. Rows, not yet moved, and bodies for them
     rows_.clear();
     motions_.clear();
     for (int j = 0; j < problem_.grid.my; ++j)

@@ -78,6 +78,7 @@ namespace wheelrail
     void
     mend(const BodyTable &table, std::vector<double> &D)
     {
+      // D is smooth across the rows, so that a cubic through good rows is nearer than what elements say
       const int                 m = table.rows.size(), n = 3 * m;
       const std::vector<double> before = D;
       for (int j = 0; j < m; ++j)
@@ -165,7 +166,8 @@ namespace wheelrail
                   const double       nominal_radius,
                   const unsigned int cells)
   {
-    constexpr double        on_profile = 1e-5; // [m]
+    constexpr double on_profile = 1e-5; // [m]
+    // rows on the chamfers and fillets beside the running surface are left out: a contact does not lie there
     std::vector<SurfaceRow> rows;
     for (const SurfaceRow &row : surface_rows(mesh, cells, wheel))
       {
@@ -185,6 +187,7 @@ namespace wheelrail
                   const double       nominal_radius,
                   const unsigned int cells)
   {
+    // 1. Rows of the running surface, with their arcs on the profile; 2. growth; 3. wavenumbers; 4. D at each
     BodyTable table;
     table.wheel          = wheel;
     table.shear_modulus  = elasticity.shear_modulus();
@@ -214,6 +217,7 @@ namespace wheelrail
     // D at each wavenumber (rail) or number of waves (wheel): one factor of K each
     for (const double wave : table.waves)
       {
+        // a signal ends a run of tables between two factors
         leave_if_interrupted();
         table.remainder.push_back(remainder(stiffness, rows, table, wave));
       }

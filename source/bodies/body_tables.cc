@@ -29,7 +29,9 @@ namespace wheelrail
                    const std::string    &folder,
                    const BodyTableSizes &sizes)
   {
+    // rows of 16 mm/2^3 = 2 mm, one cell each
     const BodySections sections = body_sections(scene, geometry, sizes);
+    // names of the files follow from what is given here: other sizes are other tables
     return {
       kept_body_table(
         folder, sections.rail, geometry.rail.head, elasticity(scene.rail_material), false, 0, sizes.cells),

@@ -21,6 +21,9 @@
 #include <utility>
 #include <vector>
 
+// Tables of the true bodies as files, named by what they follow from, with a checksum (doc/theory/bodies.md,
+// Remainder). Independent of load, friction, speed and place of contact.
+
 namespace wheelrail
 {
   namespace
@@ -53,6 +56,7 @@ namespace wheelrail
              const double       nominal_radius,
              const unsigned int cells)
     {
+      // whatever changes a bit of these is another table
       std::vector<double> all{elasticity.youngs_modulus,
                               elasticity.poissons_ratio,
                               elasticity.density,
@@ -66,6 +70,7 @@ namespace wheelrail
       all.insert(all.end(), mesh.held.begin(), mesh.held.end());
       for (const auto &edge : mesh.running)
         all.insert(all.end(), edge.node.begin(), edge.node.end());
+      // arcs of the rows depend on the profile, which the nodes lie on but do not name
       for (const SurfaceRow &row : rows_on_profile(mesh, profile, wheel, nominal_radius, cells))
         all.push_back(profile.length(0, profile.closest(profile_place(row.place, wheel, nominal_radius))));
       Checksum sum;
@@ -86,6 +91,7 @@ namespace wheelrail
     bool
     is_own_name(const std::string &name)
     {
+      // only such files are ever removed
       static const std::regex own("body-[0-9a-f]{16}(-[0-9a-f]{8})?\\.h5(\\.[0-9]+(\\.part)?)?");
       return std::regex_match(name, own);
     }
@@ -95,12 +101,15 @@ namespace wheelrail
     write_table(const BodyTable &table, Checksum sum, const std::string &path)
     {
       using namespace hdf5;
-      const Handle        file(open_in_memory(), H5Fclose, "make a file in memory");
+      // in memory first: what is on the disk is whole, or not there
+      const Handle file(open_in_memory(), H5Fclose, "make a file in memory");
+      // rows: arc, angle, width, radius, growth x and y; numbers are written as they are, to the bit
       std::vector<double> rows, remainder;
       for (const BodyTable::Row &row : table.rows)
         rows.insert(rows.end(), {row.arc, row.angle, row.width, row.radius, row.growth.x, row.growth.y});
       for (const std::vector<double> &one : table.remainder)
         remainder.insert(remainder.end(), one.begin(), one.end());
+      // remainder in 1/Pa: displacement under a force for each metre [m/(N/m)]
       const hsize_t m = table.rows.size(), n = 3 * m;
       write_attribute(file, "shear_modulus_Pa", table.shear_modulus);
       write_attribute(file, "poissons_ratio", table.poissons_ratio);
@@ -109,6 +118,7 @@ namespace wheelrail
       write_dataset(file, "rows", {m, 6}, rows, "m", "arc, angle (rad), width, radius, growth x, y (m s2)");
       write_dataset(file, "waves", {table.waves.size()}, table.waves, "1/m or 1");
       write_dataset(file, "remainder", {table.waves.size(), n, n}, remainder, "1/Pa");
+      // the checksum covers the inputs and the file: an old file under the right name is found out
       std::vector<char> bytes = file_image(file);
       sum.process_bytes(bytes.data(), bytes.size());
       const std::string check = hexadecimal(sum);
@@ -128,6 +138,7 @@ namespace wheelrail
     read_table(const std::string &path, Checksum sum)
     {
       using namespace hdf5;
+      // 1. Whole file; 2. checksum of inputs and bytes; 3. its numbers have to fit each other
       if (std::error_code ignored; !fs::is_regular_file(path, ignored))
         return {};
       const Quiet   quiet;
@@ -138,6 +149,7 @@ namespace wheelrail
       const std::string check = image.substr(image.size() - digits);
       image.resize(image.size() - digits);
       sum.process_bytes(image.data(), image.size());
+      // cut short, changed on the disk, or of other inputs
       if (check != hexadecimal(sum))
         return {};
       try
@@ -154,6 +166,7 @@ namespace wheelrail
           for (std::size_t r = 0; r + 5 < rows.size(); r += 6)
             table.rows.push_back(
               {rows[r], rows[r + 1], rows[r + 2], rows[r + 3], {rows[r + 4], rows[r + 5]}});
+          // numbers of D at one wave, (3 rows)^2
           const std::size_t one = 9 * table.rows.size() * table.rows.size();
           if (table.rows.empty() || remainder.size() != one * table.waves.size())
             return {};
@@ -176,7 +189,9 @@ namespace wheelrail
         if (is_own_name(entry.path().filename().string()) &&
             entry.symlink_status().type() == fs::file_type::regular)
           files.emplace_back(entry.last_write_time(), entry.path());
+      // time of last use, set at each reading
       std::sort(files.begin(), files.end());
+      // some 7 MB each
       for (std::size_t k = 0; k + most_kept_tables < files.size(); ++k)
         fs::remove(files[k].second);
     }
@@ -214,9 +229,11 @@ namespace wheelrail
     };
     if (folder.empty())
       return make();
+    // held while a table is made: a second thread that wants the same one waits and reads it
     const std::lock_guard<std::mutex> guard(keeping);
     const Checksum                    sum = contents(mesh, profile, elasticity, wheel, nominal_radius, cells);
     const std::string                 path = folder + "/" + name_of(sum);
+    // its time of use is renewed: the oldest ones go first
     if (std::optional<BodyTable> kept = read_table(path, sum))
       {
         std::error_code ignored; // of a folder that belongs to somebody else

@@ -30,6 +30,7 @@ namespace wheelrail
                const HalfspaceGrid          &grid,
                const double                  step)
   {
+    // 0 the rail, 1 the wheel; both count the contact's lateral coordinate along the rail
     PlacedBodies placed;
     for (const PlacedRow &row : rows)
       {
@@ -48,6 +49,7 @@ namespace wheelrail
     placed.placements[1].radius = contact.rolling_radius;
     for (const int body : {0, 1})
       {
+        // rows of the tables that bear on these elements, and R between them
         const BodyTable &table = body == 0 ? tables.rail : tables.wheel;
         placed.rows[body]      = contact_rows(table, placed.placements[body]);
         placed.influences[body] =
@@ -60,6 +62,7 @@ namespace wheelrail
   std::shared_ptr<RowsInfluence>
   added_influence(const PlacedBodies &placed, const HalfspaceGrid &grid, const double step)
   {
+    // R_rail + R_wheel of (4): the wheel has minus the tractions, and its displacement is subtracted
     auto added = std::make_shared<RowsInfluence>(grid, placed.bases);
     for (const BodyInfluences &influence : placed.influences)
       added->add_body(influence.here, influence.ahead, step);

@@ -13,6 +13,9 @@
 #include <utility>
 #include <vector>
 
+// Intervals of a run (doc/theory/intervals.md, Runs): each cause gives a shift s and a spread d, which (1)
+// joins. Against true bodies where these are a reference; else by two meshes, (5); else by estimate, (4).
+
 namespace wheelrail
 {
   namespace
@@ -24,13 +27,18 @@ namespace wheelrail
     Contributions
     estimated(const Summary &run, const Measures &measures)
     {
+      // Fractions of the result: peak up to 2 L higher, so that shift and spread are L each; area 3 L lower;
+      // plastic strain from 0.5/n below to 3.5/n above; residual stress to 2.5/n, n the cells across the
+      // patch. Steel that flows: peak known to L on both sides.
       constexpr double of_area = 1.5, strain_shift = 1.5, of_strain = 2, of_stress = 2.5;
       Contributions    contributions;
       const auto       add = [&](const char *name, const double shift, const double spread) {
         const double value = get_figure(run, figure_named(name).key());
+        // a result that is 0 or was not measured has no interval
         if (std::isfinite(spread * value) && value != 0)
           contributions.push_back({name, "cells and penalty layer", shift * value, std::abs(spread * value)});
       };
+      // `lost(false)`: 2 L of (4), the most that an elastic peak lies too low
       const bool   flows = measures.has_yielded();
       const double half = 0.5 * measures.lost(false), shift = flows ? 0 : half;
       add("max_pressure", shift, half);
@@ -38,6 +46,7 @@ namespace wheelrail
       add("contact_area", -of_area * shift, of_area * half);
       if (flows)
         {
+          // cells too large see less of it: true values lie above
           for (const char *name : {"max_plastic_strain", "rail_plastic_strain"})
             add(name, strain_shift / measures.cells, of_strain / measures.cells);
           add("max_residual_von_mises", 0, of_stress / measures.cells);
@@ -85,7 +94,10 @@ namespace wheelrail
     CreepScale
     scale_of(const Scene &scene, const Summary &run)
     {
+      // bound mu N and the initial slope of the creep curve (Vermeulen and Johnson 1964, Kalker's
+      // coefficients)
       return creep_scale(scene.friction.at(0) * run.normal_force,
+                         // G of both bodies, harmonic mean [Pa]
                          2 / (1 / elasticity(scene.rail_material).shear_modulus() +
                               1 / elasticity(scene.wheel_material).shear_modulus()),
                          run.patch_longitudinal,
@@ -97,6 +109,7 @@ namespace wheelrail
     double
     left_by_force(const std::string &result, const CreepScale &scale, const Summary &run)
     {
+      // d(creepage) = dF/(dF/dcreepage), 2 standard errors of the force; T-gamma = F xi: |F| d(xi) + |xi| dF
       const double force = run.longitudinal_force, open = 2 * get_figure(run, "longitudinal_force_error_N"),
                    slip = open / (scale.stiffness * scale.tangent(force));
       if (result == "creepage")
@@ -111,6 +124,7 @@ namespace wheelrail
     Contributions
     of_impacts(const Summary &run, const Measures &measures)
     {
+      // 0.12/n of the largest force, as measured with a flat on cells of 4, 2, 1 mm against 0.5 mm
       constexpr double over_cells = 0.12;
       Contributions    contributions;
       for (const char *name : {"largest_vertical_force", "impact_factor"})
@@ -126,6 +140,7 @@ namespace wheelrail
   two_mesh_contributions(const Scene &scene, const Summary &run, const Summary &coarser, const double cells)
   {
     const auto differ = [&](const Names &names, const int order, Contributions &contributions) {
+      // c of (5)
       const double by_chance = order == 1 ? 0.5 : 0.1;
       for (const char *name : names)
         {
@@ -134,6 +149,8 @@ namespace wheelrail
                        error = get_figure(coarser, figure.key("_error"));
           if (!std::isfinite(value) || !std::isfinite(other) || (value == 0 && other == 0))
             continue;
+          // (5): s = (f(h) - f(2h))/(2^p - 1), d^2 = (f(h) - f(2h))^2 + (2 standard errors of f(2h))^2 + (c
+          // f/n)^2
           const double change = value - other, noise = std::isfinite(error) ? 2 * error : 0;
           contributions.push_back({name,
                                    "two meshes",
@@ -144,6 +161,7 @@ namespace wheelrail
     Contributions contributions;
     differ(of_second_order, 2, contributions);
     differ(of_first_order, 1, contributions);
+    // what is given has no error: force follows from a held rate, creepage from a torque
     differ({scene.drive == Drive::rate ? "longitudinal_force" : "creepage"}, 1, contributions);
     return contributions;
   }
@@ -157,6 +175,7 @@ namespace wheelrail
                     const Contributions &against_bodies,
                     const Contributions &two_meshes)
   {
+    // 1. Systematic causes
     Contributions contributions = !against_bodies.empty() ? against_bodies
                                   : scene.irregular()     ? of_impacts(run, measures)
                                                           : estimated(run, measures);
@@ -164,10 +183,12 @@ namespace wheelrail
     if (against_bodies.empty())
       for (const Contribution &one : two_meshes)
         contributions = without_results(std::move(contributions), {one.result});
+    // two meshes also for what true bodies leave out
     const Contributions before = contributions;
     for (const Contribution &one : two_meshes)
       if (!knows(before, one.result))
         contributions.push_back(one);
+    // 2. At an edge pressures grow with each halving of the cells: no bound
     if (without_bound(measures, measures.edge))
       contributions =
         without_results(std::move(contributions),
@@ -180,16 +201,22 @@ namespace wheelrail
       return name == "normal_force" || name == "vertical_force" || name == "longitudinal_force" ||
              knows(systematic, name);
     };
+    // 3. Noise and trend, two standard errors, of results whose systematic part is known; 4. measured
+    // profiles
     const CreepScale scale = scale_of(scene, run);
     for (const Figure &figure : all_figures())
       if (const double error = get_figure(run, figure.key("_error"));
           !std::isnan(error) && is_known(figure.name))
+        // bodies under the run's own forces do not know its noise: of creepage and friction work that of the
+        // longitudinal force is left
         contributions.push_back({figure.name,
                                  "noise and trend",
                                  0,
                                  knows(against_bodies, figure.name)
                                    ? std::min(2 * error, left_by_force(figure.name, scale, run))
                                    : 2 * error});
+    // what profiles that the measured points allow change (doc/theory/geometry.md, Smoothing of measured
+    // profiles)
     for (const Contribution &one : noise_contributions(noise, run, scale.half_saturation()))
       if (is_known(one.result))
         contributions.push_back(one);
@@ -203,7 +230,10 @@ namespace wheelrail
   Known
   known_creep_of_run(const Scene &scene, const Summary &run)
   {
+    // a creepage near nought is held against a quarter of that at half saturation (doc/theory/intervals.md,
+    // The verdict)
     constexpr double least = 0.25;
+    // scale of the creepage c_h, of T-gamma mu N c_h
     const CreepScale patch = scale_of(scene, run);
     const double     half  = patch.half_saturation();
     Known            worst;
@@ -212,7 +242,8 @@ namespace wheelrail
       {
         const Figure &figure = figure_named(name);
         const auto    get    = [&](const char *tail) { return get_figure(run, figure.key(tail)); };
-        const double  value = get(""), reach = std::max(value - get("_low"), get("_high") - value),
+        // reach: the farther end of the interval, over the value or a quarter of its scale
+        const double value = get(""), reach = std::max(value - get("_low"), get("_high") - value),
                      within = reach / std::max(std::abs(value), least * scale);
         if (within > worst.within || (std::isnan(worst.within) && std::isfinite(within)))
           worst = {within,
@@ -235,6 +266,7 @@ namespace wheelrail
              (against_bodies.empty() ? "." : ", where the true bodies do not know the result.");
     if (!against_bodies.empty())
       return "";
+    // what would give the results without interval one
     const std::string cure =
       takes_coarser_cells(scene) ? "; Run/Error estimate = two meshes gives them." : ".";
     if (scene.irregular())

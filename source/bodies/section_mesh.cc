@@ -27,6 +27,8 @@ namespace wheelrail
     std::vector<std::array<Point2, 4>>
     make_blocks(const Section &section, Triangulation &triangulation)
     {
+      // corners may be listed in another order afterwards: `places` are their coordinates 0 or 1 in the block
+      // as the section has it
       std::vector<dealii::Point<2>> corners;
       for (const Point2 &p : section.corners)
         corners.emplace_back(p.x, p.y);
@@ -41,8 +43,10 @@ namespace wheelrail
       for (unsigned int b = 0; b < blocks.size(); ++b)
         for (unsigned int v = 0; v < 4; ++v)
           for (unsigned int c = 0; c < 4; ++c)
+            // (0, 0), (1, 0), (0, 1), (1, 1) in the block of the section
             if (section.blocks[b].corner[c] == blocks[b].vertices[v])
               places[b][v] = {double(c % 2), double(c / 2)};
+      // marks of edges are boundary numbers of deal.II
       dealii::SubCellData edges;
       for (const auto &[key, boundary] : section.boundary)
         {
@@ -66,11 +70,13 @@ namespace wheelrail
     void
     refine(Triangulation &triangulation, const unsigned int levels)
     {
+      // three halvings of 16 mm: 2 mm along the surface, where influences are asked for
       for (unsigned int level = 0; level < levels; ++level)
         {
           for (const auto &cell : triangulation.active_cell_iterators())
             for (unsigned int face = 0; face < 4; ++face)
               if (is_on(cell, face, Boundary::running))
+                // deal.II divides neighbours, too, where sizes would differ by more than 2 : 1
                 cell->set_refine_flag();
           triangulation.execute_coarsening_and_refinement();
         }
@@ -86,11 +92,13 @@ namespace wheelrail
     Place
     place_of(const Triangulation::cell_iterator &cell)
     {
+      // bit 0 of a child: the right half; bit 1: the upper one (deal.II's order)
       Place                place;
       const dealii::CellId id = cell->id();
       place.block             = id.get_coarse_cell_id();
       for (const std::uint8_t child : id.get_child_indices())
         {
+          // parts of the block's edges: exact in binary
           place.size *= 0.5;
           place.xi += (child & 1) ? place.size : 0;
           place.eta += (child & 2) ? place.size : 0;
@@ -103,9 +111,11 @@ namespace wheelrail
     std::vector<SectionMesh::Hanging>
     hanging_nodes(const dealii::AffineConstraints<double> &constraints)
     {
+      // u_node = sum of weights x u_master, along each axis
       std::vector<SectionMesh::Hanging> hanging;
       for (const auto &line : constraints.get_lines())
         {
+          // on an edge of half the size the middle node hangs, too: 3/8, 3/4, -1/8 of the coarse edge's three
           hanging.emplace_back();
           hanging.back().node = line.index;
           for (const auto &[master, weight] : line.entries)
@@ -126,7 +136,9 @@ namespace wheelrail
       std::map<unsigned int, int>               ends;
       for (const auto &edge : edges)
         {
+          // edges begin and end at nodes that they share, so that the line follows from node to node
           from[edge.node[0]] = edge;
+          // an end of the line is a node where an edge begins and none ends
           ++ends[edge.node[0]];
           --ends[edge.node[2]];
         }
@@ -153,6 +165,7 @@ namespace wheelrail
     Triangulation triangulation;
     const auto    corner_places = make_blocks(section, triangulation);
     refine(triangulation, levels);
+    // nine nodes: FE_Q of degree 2
     const dealii::FE_Q<2> element(2);
     dealii::DoFHandler<2> handler(triangulation);
     handler.distribute_dofs(element);
@@ -162,9 +175,12 @@ namespace wheelrail
 
     SectionMesh mesh;
     mesh.nodes.resize(handler.n_dofs());
+    // 1. Nodes of each cell; 2. edges of the running surface and held nodes; 3. hanging nodes; 4. the surface
+    // in order
     std::vector<char>                            is_held(handler.n_dofs(), 0);
     std::vector<dealii::types::global_dof_index> dofs(9);
-    const std::vector<unsigned int>              place_in_cell =
+    // deal.II numbers corners, lines and the middle in turn; here three rows of three
+    const std::vector<unsigned int> place_in_cell =
       dealii::FETools::lexicographic_to_hierarchic_numbering<2>(2);
     // nodes of a cell's faces, in rows of three: left, right, bottom, top; with the material on the right
     constexpr unsigned int         face_node[4][3] = {{0, 3, 6}, {8, 5, 2}, {2, 1, 0}, {6, 7, 8}};
@@ -196,10 +212,12 @@ namespace wheelrail
                 is_held[nodes[node]] = 1;
           }
       }
+    // from refinement alone: neighbours differ by one level
     mesh.hanging = hanging_nodes(constraints);
     for (unsigned int node = 0; node < is_held.size(); ++node)
       if (is_held[node])
         mesh.held.push_back(node);
+    // from the field side to the track centre, the material on the right
     mesh.running = in_order(running);
     return mesh;
   }

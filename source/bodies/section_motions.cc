@@ -30,10 +30,12 @@ namespace wheelrail
   std::vector<double>
   product(const WaveMatrices &of, const std::array<double, 4> &factor, const std::vector<double> &x)
   {
+    // y = (f_0 K0 + f_1 K1 + f_2 K2 + f_3 M) x
     std::vector<double> y(x.size(), 0.);
     for (int column = 0; column < of.size(); ++column)
       for (int e = of.start[column]; e < of.start[column + 1]; ++e)
         {
+          // entry of the sum of four matrices at the same place of the pattern
           double value = 0;
           for (int p = 0; p < 4; ++p)
             value += factor[p] * of.values[p][e];
@@ -56,15 +58,18 @@ namespace wheelrail
   ShiftedSection::ShiftedSection(const WaveMatrices &of, const double k, const double shift)
     : factor_(std::make_unique<Factor>())
   {
+    // one factor a wavenumber; each round of the iteration takes m solutions
     cholmod_common &common = factor_->common;
     cholmod_start(&common);
     common.print = 0;
     cholmod_sparse *matrix =
       cholmod_allocate_sparse(of.size(), of.size(), of.row.size(), 1, 1, -1, CHOLMOD_REAL, &common);
+    // lower half, stype -1, real: as WaveMatrices stores it
     std::copy(of.start.begin(), of.start.end(), static_cast<int *>(matrix->p));
     std::copy(of.row.begin(), of.row.end(), static_cast<int *>(matrix->i));
     auto *x = static_cast<double *>(matrix->x);
     for (std::size_t e = 0; e < of.row.size(); ++e)
+      // K(k) + shift M: positive definite also where a rigid motion has no stiffness
       x[e] = of.values[0][e] + k * (of.values[1][e] + k * of.values[2][e]) + shift * of.values[3][e];
     factor_->factor = cholmod_analyze(matrix, &common);
     cholmod_factorize(matrix, factor_->factor, &common);
@@ -82,6 +87,7 @@ namespace wheelrail
   std::vector<double>
   ShiftedSection::solve(std::vector<double> rhs)
   {
+    // a view of the right-hand side, not a copy
     cholmod_dense b{};
     b.nrow = b.d = b.nzmax = rhs.size();
     b.ncol                 = 1;
@@ -90,6 +96,7 @@ namespace wheelrail
     b.dtype                = CHOLMOD_DOUBLE;
     cholmod_dense *x       = cholmod_solve(CHOLMOD_A, factor_->factor, &b, &factor_->common);
     const auto    *values  = static_cast<const double *>(x->x);
+    // x of (K(k) + shift M) x = b, in place of b
     std::copy(values, values + rhs.size(), rhs.begin());
     cholmod_free_dense(&x, &factor_->common);
     return rhs;
@@ -101,10 +108,12 @@ namespace wheelrail
   {
     constexpr double shift = 1e6; // (160 Hz)^2: rigid motions have no stiffness
     constexpr int    most  = 40;
-    const int        m     = count + 8;
-    ShiftedSection   solver(of, k, shift);
-    SectionColumns   x(m, std::vector<double>(of.size()));
-    unsigned int     seed = 1;
+    // more columns than wanted: the error falls with the ratio of shifted squares of the last wanted and the
+    // first left out
+    const int      m = count + 8;
+    ShiftedSection solver(of, k, shift);
+    SectionColumns x(m, std::vector<double>(of.size()));
+    unsigned int   seed = 1;
     for (auto &column : x)
       for (double &value : column)
         // noise, the same on every machine (linear congruence): no motion is missed
@@ -132,6 +141,7 @@ namespace wheelrail
           }
         const int kind = 1, length = 40 * m;
         int       code = 0;
+        // values ascend: the slowest first
         dealii::sygv(
           &kind, "V", "U", &m, a.data(), &m, b.data(), &m, values.data(), work.data(), &length, &code);
         if (code != 0)
@@ -161,6 +171,7 @@ namespace wheelrail
   SectionColumns
   common_directions(const WaveMatrices &of, const SectionColumns &columns, const double least)
   {
+    // columns are far from orthogonal: motions at one wavenumber are much like those at the next
     const int      n = columns.size();
     SectionColumns with_mass;
     for (const auto &column : columns)
@@ -176,12 +187,15 @@ namespace wheelrail
         gram[i + std::size_t(n) * j] = dot_product(columns[i], with_mass[j]) / (size[i] * size[j]);
     int length = 40 * n, code = 0;
     dealii::syev("V", "U", &n, gram.data(), &n, values.data(), work.data(), &length, &code);
+    // from the largest eigenvalue down
     SectionColumns basis;
+    // their sum is n: `least` is a share of it
     for (int j = n; j-- > 0 && values[j] > least * n;)
       {
         auto &direction = basis.emplace_back(of.size(), 0.);
         for (int i = 0; i < n; ++i)
           {
+            // length 1 in the mass: X' M X = 1
             const double factor = gram[i + std::size_t(n) * j] / (size[i] * std::sqrt(values[j]));
             for (std::size_t d = 0; d < direction.size(); ++d)
               direction[d] += factor * columns[i][d];

@@ -23,6 +23,7 @@ namespace wheelrail
     std::vector<double>
     part(std::vector<double> motion, const bool along)
     {
+      // K1 couples plane and along alone, hence two separate parts of the basis
       bool any = false;
       for (std::size_t d = 0; d < motion.size(); ++d)
         if ((d % 3 == 2) != along)
@@ -39,6 +40,7 @@ namespace wheelrail
                       std::vector<Complex> &values,
                       std::vector<Complex> &vectors)
     {
+      // right eigenvectors alone; the matrix is not symmetric
       const int            n = values.size(), length = 40 * n, one = 1;
       int                  code = 0;
       std::vector<Complex> work(length);
@@ -70,8 +72,9 @@ namespace wheelrail
     constexpr double travelling[] = {0.2, 3, 7, 12, 20, 32, 50}, near[] = {1, 10, 30, 80, 200, 500};
     constexpr double shift = 2e7; // (700 Hz)^2 [rad2/s2]
     constexpr double least = 1e-10;
-    SectionColumns   plane, along;
-    const auto       keep = [&](const std::vector<double> &motion) {
+    // 1. Slow motions of travelling waves; 2. near fields of each force; 3. orthonormal directions of both
+    SectionColumns plane, along;
+    const auto     keep = [&](const std::vector<double> &motion) {
       for (const bool is_along : {false, true})
         if (auto own = part(motion, is_along); !own.empty())
           (is_along ? along : plane).push_back(std::move(own));
@@ -127,9 +130,11 @@ namespace wheelrail
         // (K0 + k K1 + k^2 K2 - w^2 M) u = 0 has k^2 alone, of half the size of the usual linearisation in k:
         // its eigenvalues come as +-k.
         with_square[i + n_ * j] += k1_[i + n_ * j];
+    // B^-1 once, for all frequencies
     b_.assign(n_ * n_, 0.);
     for (std::size_t i = 0; i < n_; ++i)
       b_[i + n_ * i] = 1;
+    // LU of B with pivots (LAPACK): K2 and K1 together are not symmetric
     const int        n = n_;
     std::vector<int> pivot(n_);
     int              code = 0;
@@ -149,10 +154,12 @@ namespace wheelrail
   std::vector<Complex>
   SectionWaves::eigenmatrix(const Complex w, const Complex steel, const std::vector<Complex> &springs) const
   {
+    // A of A u = -k^2 B u
     std::vector<Complex> a(n_ * n_), c(n_ * n_, 0.);
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t j = 0; j < n_; ++j)
         {
+          // K0 and M couple like parts alone
           const bool same     = (i < n_plane_) == (j < n_plane_);
           const bool to_along = i >= n_plane_ && j < n_plane_;
           // u = (x, y, k w): below, K1 stands without k
@@ -188,9 +195,11 @@ namespace wheelrail
       throw RunError("The waves of the section could not be found at " +
                      std::to_string(w.real() / (2 * M_PI)) + " Hz.");
     std::vector<Wave> all;
+    // each wave: k, displacement at the forces, denominator of its residue
     for (std::size_t s = 0; s < n_; ++s)
       {
         Wave wave;
+        // k^2 has two roots: this wave and its mirror image towards -z
         wave.k = std::sqrt(squares[s]);
         // waves that decay towards +z, exp(-i k z) with Im k < 0
         if (wave.k.imag() > 0)
@@ -224,6 +233,7 @@ namespace wheelrail
   SectionWaves::frequencies(const double k, const unsigned int count) const
   {
     std::vector<double> squares;
+    // of the whole section, to hold the basis against
     slow_motions(matrices_, k, count, &squares);
     for (double &value : squares)
       // omega^2 to Hz
@@ -238,6 +248,7 @@ namespace wheelrail
                          const unsigned int       b,
                          const double             z) const
   {
+    // exp(-i k z), |factor| <= 1 for z >= 0
     std::vector<Complex> factors;
     for (const Wave &wave : waves)
       factors.push_back(std::exp(Complex(0, -z) * wave.k));
@@ -252,6 +263,7 @@ namespace wheelrail
                          const unsigned int          b,
                          const std::vector<Complex> &factors) const
   {
+    // f' D(k)^-1 f has simple poles at the wavenumbers of waves: a residue is (f' u)(u' f)/(u' D'(k) u)
     Complex sum = 0;
     for (std::size_t n = 0; n < waves.size(); ++n)
       // f_a' u u' f_b/(u' D'(k) u) exp(-i k z), z >= 0

@@ -19,11 +19,13 @@ namespace wheelrail
   {
     // what the shift of half-spaces has to be changed by for the pressure of the true bodies, of S1002 on
     // 54E1 and 60E1 under 103 kN (doc/theory/bodies.md)
-    constexpr double     compliance = 0.2e-3 / 100e3; // [m/N]
-    const Scene          coarse     = coarse_halfspaces(scene);
-    const double         by         = compliance * normal_force;
-    const SectionOffsets offsets    = scene_offsets(scene);
-    double               peak[2]    = {0, 0};
+    constexpr double compliance = 0.2e-3 / 100e3; // [m/N]
+    // two solutions to either side, in coarse elements: the change counts, not the value
+    const Scene coarse = coarse_halfspaces(scene);
+    // [m]: 0.2 mm at 100 kN
+    const double         by      = compliance * normal_force;
+    const SectionOffsets offsets = scene_offsets(scene);
+    double               peak[2] = {0, 0};
     for (const int side : {0, 1})
       {
         SectionOffsets moved = offsets;
@@ -39,6 +41,7 @@ namespace wheelrail
   void
   find_shift_effect(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result)
   {
+    // of half-spaces alone: true bodies have moved already
     if (scene.halfspace_bodies == ContactBodies::real)
       return;
     const double force = sum_over_patches(result, [](const auto &patch) { return patch.solution.fn; });
@@ -53,13 +56,15 @@ namespace wheelrail
     if (scene.halfspace_bodies == ContactBodies::real)
       return;
     const std::string fault = fault_of([&]() {
-      Scene bodies          = scene;
+      Scene bodies = scene;
+      // true bodies know no other
       bodies.halfspace_spin = HalfspaceSpin::local_radius;
       if (const std::vector<std::string> refused = refused_by_bodies(bodies); !refused.empty())
         throw InputError(refused.front());
       WheelRailLoad load;
-      load.vertical     = true;
-      load.force        = sum_over_patches(result, [](const auto &patch) { return patch.vertical; });
+      load.vertical = true;
+      load.force    = sum_over_patches(result, [](const auto &patch) { return patch.vertical; });
+      // along the track, driving positive
       load.longitudinal = sum_over_patches(result, [](const auto &patch) {
         return patch.reference ? patch.reference->driving : -patch.solution.fx;
       });
@@ -77,6 +82,7 @@ namespace wheelrail
     });
     if (!std::isfinite(result.bodies_effect))
       {
+        // without true bodies the shift decides
         result.unheld = fault.empty() ? "their solution is not exact" : fault;
         find_shift_effect(scene, geometry, result);
       }

@@ -19,6 +19,7 @@ namespace wheelrail
     void
     leave_out_along(RowInfluence &influence)
     {
+      // the stretch along the track is that of the finite elements (tread_stretch()): it is not taken twice
       const int n = 3 * influence.rows;
       for (std::size_t k = 0; k < influence.by_lag.size(); ++k)
         // row 3 i + a of the block of a lag: a = 2 is Z
@@ -40,6 +41,7 @@ namespace wheelrail
       std::shared_ptr<const AddedInfluence>
       on(const StartGrid &grid)
       {
+        // rounds of pressures and tractions come back to the same grids: influences of the last four are kept
         const auto same = [&](const Kept &kept) {
           const HalfspaceGrid &one = kept.grid.grid, &other = grid.grid;
           return kept.grid.s_first == grid.s_first && kept.grid.s_step == grid.s_step && one.mx == other.mx &&
@@ -51,6 +53,7 @@ namespace wheelrail
         constexpr std::size_t most = 4;
         if (kept_.size() == most)
           kept_.erase(kept_.begin());
+        // the oldest of four has left
         kept_.push_back({grid, made_for(grid)});
         return kept_.back().added;
       }
@@ -68,9 +71,11 @@ namespace wheelrail
       {
         const ContactGeometry &contact = geometry_.contact;
         const Curve           &head = geometry_.rail.head, &outline = contact.outline.curve;
+        // 1. Rows on both profiles; 2. influences across the track; 3. R as the half-space solver takes it
         std::vector<PlacedRow> rows;
         for (int j = 0; j < grid.grid.my; ++j)
           {
+            // places on both profiles of each row of elements, of the undeformed bodies
             const double s     = std::clamp(grid.s(j), sections_.s_min(), sections_.s_max());
             const Point2 place = sections_.rail_place(s);
             const double tw    = outline.closest(contact.wheel.to_section(place));
@@ -91,6 +96,7 @@ namespace wheelrail
               }
             return added_influence(placed, grid.grid, grid.grid.dx);
           }
+        // no table, no correction: the start goes on with half-spaces
         catch (const RunError &)
           {
             return {};
@@ -110,7 +116,9 @@ namespace wheelrail
   {
     try
       {
+        // tables are made or read once for a start
         const auto bodies = std::make_shared<StartBodies>(scene, geometry);
+        // asked for by the first rank alone
         return [bodies](const StartGrid &grid) { return bodies->on(grid); };
       }
     catch (const RunError &)

@@ -46,6 +46,7 @@ namespace wheelrail
     void
     strains(const WavePoint &point, const bool wheel, const unsigned int local, Strain &b0, Strain &b1)
     {
+      // unknown 3 n + c: component c of node n
       const unsigned int n = local / 3;
       const double       N = point.value[n], r = wheel ? point.place.y : 1;
       b0.fill(0);
@@ -102,6 +103,7 @@ namespace wheelrail
   WavePoint
   wave_point(const SectionMesh &mesh, const std::array<unsigned int, n_wave_nodes> &cell, const int number)
   {
+    // nine Gauss points of [0, 1]^2; isoparametric: places by the same shapes
     WavePoint    point;
     const Shapes shape = shapes(wave_gauss_place[number % 3], wave_gauss_place[number / 3]);
     point.value        = shape.value;
@@ -154,6 +156,7 @@ namespace wheelrail
             s1[i] = stress(b1[i], lambda, mu);
           }
         for (unsigned int i = 0; i < n_local; ++i)
+          // 27 unknowns: (u_x, u_y, w) of nine nodes
           for (unsigned int j = 0; j <= i; ++j)
             {
               // energy of B0 + k B1: K0 = B0' D B0, K1 = B0' D B1 + B1' D B0, K2 = B1' D B1, and the

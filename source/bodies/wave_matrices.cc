@@ -22,6 +22,7 @@ namespace wheelrail
         fixed,
         hanging
       };
+      // later marks win: a held node that hangs is held
       std::vector<char> kind(mesh.nodes.size(), inside);
       for (const auto &edge : mesh.running)
         for (const unsigned int node : edge.node)
@@ -36,6 +37,7 @@ namespace wheelrail
           if (kind[node] == wanted)
             {
               waves.unknowns[node] = {{waves.n_free++, 1.}};
+              // unknowns of the surface last: their compliance needs the end of the factor alone
               waves.n_surface += wanted == surface;
             }
       for (const auto &node : mesh.hanging)
@@ -57,10 +59,12 @@ namespace wheelrail
     std::array<double, 3> weights{};
     for (int g = 0; g < 3; ++g)
       {
+        // quadratic edge: shape functions and their slopes at t in [0, 1]
         const double t    = wave_gauss_place[g];
         const double N[3] = {(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)};
         const double d[3] = {4 * t - 3, 4 - 8 * t, 4 * t - 1};
-        Point2       speed, place;
+        // speed = dX/dt [m]
+        Point2 speed, place;
         for (int n = 0; n < 3; ++n)
           {
             speed = speed + d[n] * mesh.nodes[nodes[n]];
@@ -83,12 +87,14 @@ namespace wheelrail
     std::array<std::vector<double>, 4> entries;
     for (const auto &cell : mesh.cells)
       {
+        // entries of all four go to the same places, so that K(k) is a sum over one array
         const auto K = wave_matrices(mesh, cell, elasticity, wheel);
         for (unsigned int i = 0; i < n_wave_local; ++i)
           for (unsigned int j = 0; j < n_wave_local; ++j)
             for (const auto &[a, wa] : waves.unknowns[cell[i / 3]])
               for (const auto &[b, wb] : waves.unknowns[cell[j / 3]])
                 {
+                  // (x, y, w) of each free node; several free nodes where one hangs
                   const int row = 3 * a + i % 3, column = 3 * b + j % 3;
                   // K0, K2 and M are symmetric, and so is K1 with the factor i in u_z: lower half
                   if (row < column)
@@ -102,10 +108,12 @@ namespace wheelrail
                 }
       }
     // duplicates are added up by CHOLMOD; the pattern is the same for all
+    // sums over cells meet at equal (row, column)
     cholmod_common common{};
     cholmod_start(&common);
     for (int p = 0; p < 4; ++p)
       {
+        // K0, K1, K2, M one after the other; all have the entries of one pattern, zeros included
         cholmod_triplet triplet{};
         triplet.nrow = triplet.ncol = waves.size();
         triplet.nzmax = triplet.nnz = rows.size();

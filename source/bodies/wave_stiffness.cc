@@ -61,9 +61,11 @@ namespace wheelrail
     std::vector<SurfaceRow> rows;
     for (unsigned int first = 0; first + cells <= mesh.running.size(); first += cells)
       {
+        // one traction on all cells of a row: what error single cells have is averaged
         SurfaceRow row;
         for (unsigned int e = first; e < first + cells; ++e)
           {
+            // width: the arc of its cells, by the same integrals as its loads
             row.edges.push_back(e);
             for (const double weight : edge_integrals(mesh, mesh.running[e]))
               row.width += weight;
@@ -138,8 +140,10 @@ namespace wheelrail
     // the running surface last: the end of the factor is then all that its compliance asks for
     std::vector<int> member(parts.size(), 0), permutation(parts.size());
     // constrained minimum degree (CAMD): members of set 1 come after all of set 0
+    // unknowns of the surface were numbered last by assemble_waves()
     std::fill(member.end() - 3 * parts.n_surface, member.end(), 1);
     cholmod_camd(matrix, nullptr, 0, member.data(), permutation.data(), &common);
+    // this order and no other; without postordering, which could mix both sets
     common.nmethods           = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder          = 0;
@@ -147,6 +151,7 @@ namespace wheelrail
     const auto *order         = static_cast<const int *>(symbolic->Perm);
     place.resize(parts.size());
     for (int k = 0; k < parts.size(); ++k)
+      // inverse permutation: where an unknown stands in L
       place[order[k]] = k;
   }
 
@@ -161,7 +166,8 @@ namespace wheelrail
       // of waves around it, which the 1/r of its strains makes n/r
       x[e] = values[0][e] + k * (values[1][e] + k * values[2][e]);
     const OnOneThread one_thread;
-    cholmod_factor   *L = cholmod_copy_factor(symbolic, &common);
+    // one analysis for all wavenumbers: the pattern is the same
+    cholmod_factor *L = cholmod_copy_factor(symbolic, &common);
     cholmod_factorize(matrix, L, &common);
     constexpr double singular = 1e-13; // what rounding leaves of a pivot that is 0
     // a pivot that is 0 to round-off: a motion without strain, which foot or bore should hold
@@ -180,9 +186,11 @@ namespace wheelrail
   std::vector<std::pair<int, double>>
   WaveStiffness::Data::row_load(const SurfaceRow &row, const int a) const
   {
+    // F of (doc/theory/bodies.md, 2.5-D elements): a column for each row and axis
     std::map<int, double> load;
     for (const unsigned int e : row.edges)
       {
+        // hanging nodes of the surface hand their share to their masters
         const auto &edge    = mesh.running[e];
         const auto  weights = edge_integrals(mesh, edge);
         for (int n = 0; n < 3; ++n)
@@ -225,6 +233,7 @@ namespace wheelrail
       for (int e = start[column]; e < start[column + 1]; ++e)
         // the last ns x ns block of L, dense
         dense[std::size_t(column - first) * ns + row[e] - first] = value[e];
+    // the factor takes most of the memory: away with it before the dense part
     cholmod_free_factor(&L, &d.common);
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (int a = 0; a < 3; ++a)
@@ -239,6 +248,7 @@ namespace wheelrail
     std::vector<double> compliance(std::size_t(nr) * nr);
     // 3. L^-1 F and its square, by BLAS; only the upper half is computed
     int code = 0;
+    // rows above the last block do not matter: F is zero there, and so is L^-1 F
     dealii::trtrs("L", "N", "N", &ns, &nr, dense.data(), &ns, loads.data(), &ns, &code);
     dealii::syrk("U", "T", &nr, &ns, &one, loads.data(), &ns, &zero, compliance.data(), &nr);
     for (int i = 0; i < nr; ++i)
@@ -252,11 +262,13 @@ namespace wheelrail
   WaveStiffness::Data::solve(const double k, const std::vector<double> &load)
   {
     cholmod_factor *L = factor(k);
-    cholmod_dense  *f = cholmod_zeros(load.size(), 1, CHOLMOD_REAL, &common);
+    // the whole solution, for displacements inside the section
+    cholmod_dense *f = cholmod_zeros(load.size(), 1, CHOLMOD_REAL, &common);
     std::copy(load.begin(), load.end(), static_cast<double *>(f->x));
     cholmod_dense       *u      = cholmod_solve(CHOLMOD_A, L, f, &common);
     const auto          *values = static_cast<const double *>(u->x);
     std::vector<Vector3> of_nodes(parts.unknowns.size(), Vector3{});
+    // held nodes stay at 0, hanging ones take their masters' mean
     for (std::size_t node = 0; node < of_nodes.size(); ++node)
       for (const auto &[unknown, weight] : parts.unknowns[node])
         for (int a = 0; a < 3; ++a)
@@ -273,6 +285,7 @@ namespace wheelrail
                                const std::vector<SurfaceRow> &rows,
                                const std::vector<Vector3>    &forces)
   {
+    // [N/m] of a rail, [N] for each radian of a wheel
     std::vector<double> load(size(), 0.);
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (int a = 0; a < 3; ++a)
@@ -286,6 +299,7 @@ namespace wheelrail
   std::vector<Point2>
   WaveStiffness::growth(const double rate, const double density)
   {
+    // elastic: displacements go with omega^2, so that a table has them at 1 rad/s
     const Data         &d = *data_;
     std::vector<double> load(size(), 0.);
     for (const auto &cell : d.mesh.cells)
@@ -301,6 +315,7 @@ namespace wheelrail
         }
     std::vector<Point2> growth;
     for (const Vector3 &u : data_->solve(0, load))
+      // (x, outwards); a turning wheel does not twist
       growth.push_back({u[0], u[1]});
     return growth;
   }
@@ -310,7 +325,8 @@ namespace wheelrail
   WaveStiffness::growth(const double rate, const double density, const std::vector<SurfaceRow> &rows)
   {
     const std::vector<Point2> nodes = growth(rate, density);
-    std::vector<Point2>       means;
+    // the same means as those of displacements under loads
+    std::vector<Point2> means;
     for (const SurfaceRow &row : rows)
       {
         Point2 mean;

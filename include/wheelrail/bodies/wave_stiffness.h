@@ -23,7 +23,7 @@ namespace wheelrail
   /// finite elements (Gavric 1995; Nilsson, Jones, Thompson and Ryue 2009).
   ///
   /// Rail: u = (u_x, u_y, i w)(x, y) exp(i k z), k [1/m]. Wheel: the same around its axle with z = r theta
-  /// and exp(i n theta); its section has the radius as second coordinate, u_y points to the axle, and n takes
+  /// and exp(i n theta); its section has the radius as second coordinate, u_y points outwards, and n takes
   /// the place of k. With the factor i the stiffness K = K0 + k K1 + k^2 K2 is real and symmetric.
   class WaveStiffness
   {
