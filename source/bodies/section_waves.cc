@@ -221,6 +221,7 @@ namespace wheelrail
             for (std::size_t i = 0; i < n_; ++i)
               // u' (dD/dk) u = steel u' (K1 + 2 k K2) u, the denominator of the residue at k
               sum += (k1_[i + n_ * j] + 2. * wave.k * k2_[i + n_ * j]) * shape[i];
+            // steel = 1 + i loss multiplies the stiffness alone, not the mass
             wave.turn += steel * sum * shape[j];
           }
         all.push_back(std::move(wave));

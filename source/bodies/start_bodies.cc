@@ -78,7 +78,8 @@ namespace wheelrail
             // places on both profiles of each row of elements, of the undeformed bodies
             const double s     = std::clamp(grid.s(j), sections_.s_min(), sections_.s_max());
             const Point2 place = sections_.rail_place(s);
-            const double tw    = outline.closest(contact.wheel.to_section(place));
+            // without the motion of (5) and (6), which facing_after_shift() takes from the finite elements
+            const double tw = outline.closest(contact.wheel.to_section(place));
             rows.push_back({head.length(0, head.closest(contact.rail.to_section(place))),
                             // closest point of the wheel to the rail's row: arc on the tread
                             geometry_.wheel.tread.length(0, contact.outline.on_tread(tw)),

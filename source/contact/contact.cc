@@ -249,6 +249,7 @@ namespace wheelrail
         add(states_.wheel.normal_force[touch.corners[m]], touch.weight[m], touch.forces.push);
         add(states_.wheel.traction_force[touch.corners[m]], touch.weight[m], touch.forces.drag);
       }
+    // action and reaction: sums of forces over both surfaces vanish exactly
     add(states_.rail.normal_force[touch.index], -1, touch.forces.push);
     add(states_.rail.traction_force[touch.index], -1, touch.forces.drag);
   }

@@ -102,6 +102,7 @@ namespace wheelrail
   Projection::tilt(const Vector3 &X, const Vector3 &normal) const
   {
     // gradient of w along the wheel's arc and across it
+    // true normal = n + tilt to first order in the slopes of w [-]
     const auto    slopes = surfaces_.wheel.offset_slopes(surfaces_.wheel.place(X));
     const Vector3 along = normalised(cross(surfaces_.pose().axis(), normal)), across = cross(normal, along);
     return slopes.along * along + slopes.across * across;

@@ -139,6 +139,8 @@ namespace wheelrail
   {
     for (const auto &[body, k] : nodes_)
       {
+        // each rank adds them at all nodes that it holds, its own and copies alike: forces of phase 3 of a
+        // step need no sum over ranks (doc/theory/rolling.md, Time stepping)
         const int node = surfaces_[body].local[k];
         if (node >= 0)
           for (int i = 0; i < 3; ++i)

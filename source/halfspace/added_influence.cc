@@ -289,6 +289,7 @@ namespace wheelrail
     const int mx = grid_.mx;
     for (const Body &body : bodies_)
       {
+        // both bodies add: each displaces its own surface under its own tractions
         const std::vector<double> u =
           row_displacements(body, slip ? body.slip : body.here, row_forces(body, traction));
         for (int j = 0; j < grid_.my; ++j)

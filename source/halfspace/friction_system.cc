@@ -61,6 +61,7 @@ namespace wheelrail
   void
   FrictionSystem::hold(const double c, const std::vector<double> &before)
   {
+    // c in the unit of b, slip for each Pa
     c_ = c;
     // b is the influence of an element on its own slip, to which the proximal term adds c
     b_      = kernels_.diagonal + c;

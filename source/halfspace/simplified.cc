@@ -29,6 +29,7 @@ namespace wheelrail
       {
         const SimplifiedTheory &theory = *problem.simplified;
         // s = L (t - t_trial)/h with t = t_trial size/|t_trial|
+        // negative: the traction cut back lets the element slide against it
         const double left = size / std::hypot(trial[0], trial[1]) - 1;
         return {{theory.along * trial[0] * left / step, theory.across * trial[1] * left / step}};
       }

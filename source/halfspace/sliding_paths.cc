@@ -77,6 +77,7 @@ namespace wheelrail
   double
   friction_work(const HalfspaceProblem &problem, const HalfspaceSolution &s)
   {
+    // a path needs what the element ahead had a step before: in steady rolling what it has now
     if (problem.motion != HalfspaceMotion::steady)
       return std::nan("");
     // mean of the tractions at both ends of a path over an element, and its slip: with u = A t and A

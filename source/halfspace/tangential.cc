@@ -61,6 +61,7 @@ namespace wheelrail
       Vector       solution(load.size());
       const double norm = load.l2_norm();
       x.assign(b.size(), 0.);
+      // nothing to correct: the step is 0
       if (norm == 0)
         return 0;
       dealii::SolverControl control(max_iterations, tolerance * norm, false, false);

@@ -98,6 +98,7 @@ namespace wheelrail
     for (EnergyTerm &term : terms_)
       if (const auto found = state.works.find(term.name); found != state.works.end())
         term.work = found->second;
+    // the start of the balance goes on through a resume: the residual counts from the first step of the run
     state_ = state;
     state_.works.clear();
   }

@@ -75,6 +75,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < mesh.hanging.size(); ++k)
       {
         // u_hanging = sum of w u_parent: on an edge the mean of two, on a face of four
+        // weights sum to one: rigid and linear fields stay what they are
         Four mean = {0, 0, 0, 0};
         for (unsigned int p = mesh.hanging_begin[k]; p < mesh.hanging_begin[k + 1]; ++p)
           mean += mesh.weights[p] * node[mesh.parents[p]];

@@ -108,8 +108,9 @@ namespace wheelrail
           w[k] -= alpha * v[k] + (step > 0 ? beta : 0.) * before[k];
         diagonal.push_back(alpha);
         before = v;
-        v      = w;
-        beta   = std::sqrt(K.dot(v, v));
+        // beta v_next; divided by beta at the next step
+        v    = w;
+        beta = std::sqrt(K.dot(v, v));
         if (beta <= 1e-12 * std::abs(alpha)) // round-off alone is left: the Ritz values are exact
           break;
         off_diagonal.push_back(beta);

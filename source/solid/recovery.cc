@@ -29,6 +29,7 @@ namespace wheelrail
                 sums[width * node + k] += V * values[body][e][k];
               sums[width * node + n] += V;
             }
+      // elements of all ranks around a node
       sum_over_ranks(solid.mesh, sums.data(), width);
       for (std::size_t node = 0; node < solid.mesh.n_nodes(); ++node)
         for (std::size_t k = 0; k < n; ++k)

@@ -123,6 +123,7 @@ namespace wheelrail
         solid.mass[n] = mass[4 * n];
       for (const unsigned int n : solid.mesh.hanging)
         solid.mass[n] = 0;
+      // no scaling was asked for
       if (std::isinf(solid.choice.highest_frequency))
         return;
       for (const Body body : both_bodies)

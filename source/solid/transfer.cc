@@ -229,7 +229,6 @@ namespace wheelrail
             !find(after, n, corner[n] == none ? mesh.cells.size() : corner[n] / 8, corner[n] % 8, value))
           continue;
         const Vector3 off = mesh.place(n) - value.X;
-        // a node of both meshes has off = 0 and keeps its bits
         if (off != Vector3{0, 0, 0})
           {
             // u_new = u_old + (F - I) dX, v_new = v_old + dF/dt dX, dX = X_new - X_old: surfaces are curved,

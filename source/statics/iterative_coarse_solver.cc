@@ -37,6 +37,7 @@ namespace wheelrail
     double
     distance(const SpringBlocks &a, const SpringBlocks &b, const double factor)
     {
+      // both lists may have pairs that the other one lacks: those count whole
       double square = 0;
       for (const auto &[pair, block] : a)
         {
@@ -197,6 +198,7 @@ namespace wheelrail
               3 * pair.second, 3 * pair.second + 1, 3 * pair.second + 2};
             m.matrix.add(3 * pair.first + i, 3, columns, &block[3 * i], false, false);
           }
+    // entries for rows of other ranks are sent and added
     m.matrix.compress(dealii::VectorOperation::add);
   }
 

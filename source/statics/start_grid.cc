@@ -24,6 +24,7 @@ namespace wheelrail
     double
     column_load(const Contact &contact, const unsigned int j)
     {
+      // normal force as p A, positive in compression
       double sum = 0;
       for (unsigned int i = 0; i < contact.lattice().n_along; ++i)
         {
@@ -133,6 +134,7 @@ namespace wheelrail
           for (int j = 0; j < n_j_; ++j)
             if (at(i, j) == 0)
               {
+                // an open node beside several loaded ones takes the mean of what their lines say
                 double sum = 0;
                 int    n   = 0;
                 for (int a = -1; a <= 1; ++a)

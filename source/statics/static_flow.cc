@@ -86,6 +86,7 @@ namespace wheelrail
             // beyond the end: where the slope would vanish on a straight line, 1.5 to 4 times as far
             next = at * std::min(4., std::max(1.5, first / std::max(first - value, 1e-9 * first)));
         }
+      // s of the secant is what was gone, y the change that came of it
       step.increment *= at;
       step.hub_displacement *= at;
       return balance;

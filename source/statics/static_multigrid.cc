@@ -191,6 +191,8 @@ namespace wheelrail
     interpolate(coarse_[k], level.mesh(), correction, step);
     // a node that is held here may interpolate from free ones
     hold(held_[k], level.mesh(), step);
+    // the correction changes the residual by K step; the second smoothing needs it, its own last residual
+    // does not
     x.add(1, step);
     level.subtract_product(step, residual);
     level.smooth(x, residual, false);

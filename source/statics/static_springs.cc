@@ -136,6 +136,7 @@ namespace wheelrail
     std::stable_sort(
       all.begin(), all.end(), [&](const SpringPart &a, const SpringPart &b) { return place(a) < place(b); });
     for (const SpringPart &part : all)
+      // parents of several nodes of one spring get the sum of their weights
       if (!parts_.empty() && place(parts_.back()) == place(part))
         wheelrail::add(parts_.back().weight, 1, part.weight);
       else

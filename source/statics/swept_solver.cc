@@ -62,6 +62,7 @@ namespace wheelrail
       // of a wheel are alike but for the directions
       const Stiffness K =
         element_stiffness(element_geometry(grid.coarse_vertices(block, column)), material, form);
+      // rotations of displacements and forces alike, so that K stays symmetric
       const std::array<Vector3, 3> axes[2] = {grid.axes(column), grid.axes(column + 1)};
       Stiffness                    turned;
       for (int row = 0; row < 24; ++row)
@@ -139,6 +140,7 @@ namespace wheelrail
                 block_stiffness(grid, b, column, material, form),
                 [&](const int v) { return index(corner[v % 4], column + v / 4); },
                 [&](const int v) { return held[n_corners * (column + v / 4) + corner[v % 4]]; },
+                // no phase: vertices of both sections are unknowns of their own
                 [](int, int) { return 1.; });
             }
         // 2. Held nodes and springs to the ground
@@ -320,6 +322,7 @@ namespace wheelrail
           stiffness,
           [&](const int v) { return 3 * order_.place[corner[v % 4]]; },
           [&](const int v) { return held[corner[v % 4]]; },
+          // hermitian: the phases of (p, q) and (q, p) are conjugate, so that the lower half is enough
           [phase](const int p, const int q) { return std::polar(1., (q / 4 - p / 4) * phase); });
       }
 
