@@ -65,12 +65,15 @@ namespace wheelrail
         std::shared_ptr<const AddedInfluence> added;
       };
 
-      /// Null where the patch lies beside the tables.
+      /// Null where the patch lies beside the tables or beyond the end of the section.
       std::shared_ptr<const AddedInfluence>
       made_for(const StartGrid &grid) const
       {
         const ContactGeometry &contact = geometry_.contact;
         const Curve           &head = geometry_.rail.head, &outline = contact.outline.curve;
+        // two rows held at the same end would have no distance, whose logarithm the influence takes
+        if (grid.s(1) <= sections_.s_min() || grid.s(grid.grid.my - 2) >= sections_.s_max())
+          return {};
         // 1. Rows on both profiles; 2. influences across the track; 3. R as the half-space solver takes it
         std::vector<PlacedRow> rows;
         for (int j = 0; j < grid.grid.my; ++j)

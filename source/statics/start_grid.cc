@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Elements of the start: an odd number to each node, at most 0.35 mm or a 60th of the patch; patches whose
+// Elements of the start: an odd number to each node, at most 0.42 mm or a 60th of the patch; patches whose
 // inclinations differ by 0.1 rad have planes of their own. p^2 is interpolated, since Hertz's p^2 is a
 // paraboloid and straight near the edge.
 
@@ -92,7 +92,7 @@ namespace wheelrail
       loaded.n_i           = std::min<int>(lattice.n_along - 1, i1 + 1) - loaded.first_i + 1;
       loaded.n_j           = std::min<int>(lattice.n_lateral - 1, columns.last + 1) - loaded.first_j + 1;
       const double extent  = std::min(loaded.n_i * lattice.spacing_along, loaded.n_j * spacing_across);
-      const double largest = std::max(0.35e-3, extent / 60);
+      const double largest = std::max(0.42e-3, extent / 60);
       // 3. An odd number of elements a node, so that one of them has its middle at the node
       while (std::max(lattice.spacing_along, spacing_across) > largest * loaded.parts)
         loaded.parts += 2;

@@ -43,7 +43,7 @@ namespace wheelrail
   /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
   /// turning wheel (together: creepage and spin), and with the yaw of the wheel. Patches in several planes
-  /// (start_grids()) have one creepage. Elements of at most 0.35 mm, an odd number a lattice node. The
+  /// (start_grids()) have one creepage. Elements of at most 0.42 mm, an odd number a lattice node. The
   /// friction law is that of the contact, at the slip velocities of rolling with its velocity. Wanted forces
   /// are cut to 98 % of full slip at rest, and with friction that falls with speed to the largest that it
   /// carries (to 1 %); a law that is zero at rest starts without tractions.
