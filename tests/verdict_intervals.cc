@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 using namespace wheelrail;
@@ -99,6 +100,28 @@ namespace
     check(!std::isfinite(interval_of("lateral_force", 0, few).low), "nor what neither run has");
   }
 
+  /// Plastic strain has an estimate where enough cells lie across the patch.
+  void
+  test_yielding()
+  {
+    Summary run;
+    run.max_pressure       = 1e9;
+    run.max_plastic_strain = 4e-3;
+    Measures m             = good();
+    m.plastic_strain       = 4e-3;
+    for (const auto &[cells, high, known] :
+         {std::tuple<double, double, const char *>{10, 5.4e-3, "area, plastic strain and residual stress by"},
+          {5, std::nan(""), "Intervals: peak pressure and area by estimate"}})
+      {
+        m.cells                    = cells;
+        const Contributions causes = run_contributions(Scene(), run, m, {}, {}, {});
+        const Interval      strain = interval_of("max_plastic_strain", run.max_plastic_strain, causes);
+        check(std::isnan(high) ? std::isnan(strain.high) : std::abs(strain.high - high) < 1e-9,
+              "3.5/n above the strain of n cells, of few none");
+        holds(without_intervals(Scene(), m, {}, {}), known, "what has an interval");
+      }
+  }
+
   /// A quiet run whose figures are those of half-spaces, judged as a run is at its end.
   void
   test_run()
@@ -171,6 +194,7 @@ main()
 {
   test_intervals();
   test_two_meshes();
+  test_yielding();
   test_run();
   return report();
 }
