@@ -109,7 +109,7 @@ namespace
     check_text(
       judge_halfspaces(m).doubts(),
       "The peak pressure is 21 % above that of the true bodies, whose head and rim turn and move under "
-      "these forces, which half-spaces do not know; take Half-space/Bodies = real.",
+      "these forces, which half-spaces do not include; take Half-space/Bodies = real.",
       "half-spaces that a lateral force would move");
     m.peak          = {0.0005, "elements"};
     m.bodies_effect = -0.049;
@@ -135,7 +135,7 @@ namespace
     m.shift_effect  = 0.68;
     check_text(judge_halfspaces(m).doubts(),
                "The peak pressure changes by 68 % within the lateral shift by which wheel and rail give way "
-               "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know; take "
+               "under this load (0.2 mm per 100 kN to either side), which half-spaces do not include; take "
                "Half-space/Bodies = real.",
                "one that does");
   }

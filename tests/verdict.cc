@@ -292,7 +292,7 @@ namespace
   }
 
   /// Elastic bodies beyond the shakedown of their steel: of the weaker, of the given yield stress, of the
-  /// hardest that has a name.
+  /// hardest listed.
   void
   test_steels()
   {
@@ -302,7 +302,7 @@ namespace
                           const bool                      computed = false) {
       return steel_doubt(scene_from_text("", "x.prm", settings).scene, peak, traction, computed);
     };
-    holds(doubt({}, 2421e6, 0), "R350HT, the hardest that has a name, 1764 MPa", "no steel is named");
+    holds(doubt({}, 2421e6, 0), "R350HT, the hardest listed, 1764 MPa", "no steel is named");
     check(doubt({}, 1300e6, 0.25).empty(), "the main scene is below");
     // 4 k, k = 0.55 880 MPa/sqrt(3)
     holds(doubt({"Rail material/Steel = R260"}, 1200e6, 0), "of R260 1118 MPa at a traction of 0.00", "R260");

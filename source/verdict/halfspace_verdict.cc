@@ -34,7 +34,7 @@ namespace wheelrail
           Grade::with_care,
           text(
             "the peak pressure is %.0f %% %s that of the true bodies, whose head and rim turn and move under "
-            "these forces, which half-spaces do not know",
+            "these forces, which half-spaces do not include",
             100 * std::abs(m.bodies_effect),
             m.bodies_effect < 0 ? "below" : "above") +
             advice);
@@ -61,7 +61,7 @@ namespace wheelrail
         verdict,
         Grade::with_care,
         text("the peak pressure changes by %.0f %% within the lateral shift by which wheel and rail give way "
-             "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know",
+             "under this load (0.2 mm per 100 kN to either side), which half-spaces do not include",
              100 * m.shift_effect) +
           advice);
     if (!m.unheld.empty())

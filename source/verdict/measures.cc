@@ -58,8 +58,7 @@ namespace wheelrail
         if (std::isfinite(material->yield_stress))
           steel.name = text("a yield stress of %.0f MPa", 1e-6 * material->yield_stress);
         else if (!std::isfinite(steel.strength))
-          steel = {rail_steels().back().name + ", the hardest that has a name,",
-                   rail_steels().back().strength};
+          steel = {rail_steels().back().name + ", the hardest listed,", rail_steels().back().strength};
         if (steel.strength < weakest.strength)
           weakest = steel;
       }
