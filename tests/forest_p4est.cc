@@ -60,7 +60,8 @@ namespace
     const double   block = discretization.plan().block_length();
     judge(discretization, {{fine}, {fine}}, name + ", start");
     judge(discretization,
-          {{{fine.s0 + block, fine.s1 + block}, {-block, 0}}, {{fine.s0 + 2 * block, fine.s1 + 2 * block}}},
+          {{Range{fine.s0 + block, fine.s1 + block}, Range{-block, 0}},
+           {Range{fine.s0 + 2 * block, fine.s1 + 2 * block}}},
           name + ", farther on");
   }
 } // namespace

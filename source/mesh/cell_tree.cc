@@ -8,18 +8,13 @@ namespace wheelrail
 {
   namespace
   {
-    /// Distance of the stretch [a, b] from a zone; around a closed body of length `around` (0: not closed).
+    /// Distance of the stretch [a, b] from a range; around a closed body of length `around` (0: not closed).
     double
-    distance_along(const FineZone &zone, const double a, const double b, const double around)
+    distance_along(const Range &range, const double a, const double b, const double around)
     {
-      double least = std::numeric_limits<double>::max();
-      for (const Range &range : zone)
-        {
-          const double middle = 0.5 * (range.s0 + range.s1), own = 0.5 * (a + b);
-          const double shift = around > 0 ? around * std::round((middle - own) / around) : 0;
-          least              = std::min(least, std::max(a + shift - range.s1, range.s0 - b - shift));
-        }
-      return least;
+      const double middle = 0.5 * (range.s0 + range.s1), own = 0.5 * (a + b);
+      const double shift = around > 0 ? around * std::round((middle - own) / around) : 0;
+      return std::max(a + shift - range.s1, range.s0 - b - shift);
     }
   } // namespace
 
@@ -44,14 +39,12 @@ namespace wheelrail
     // cells of 2^k finest sizes may reach up to 4 (2^k - 1) finest sizes from the finest ones
     const unsigned int k     = plan_->levels - cell.level - 1;
     const double       reach = 4 * finest_ * (std::pow(2., k) - 1) - 1e-3 * finest_;
-    const auto   ends  = std::minmax({grid.along(cell.level, cell.k), grid.along(cell.level, cell.k + 1)});
-    const double along = distance_along((*zones_)[cell.body],
-                                        ends.first,
-                                        ends.second,
-                                        grid.closed() ? grid.n_columns() * plan_->block_length() : 0.);
-    if (along >= reach)
-      return false;
-    const double distance = std::max(grid.section_distance(cell), along);
+    const auto   ends     = std::minmax({grid.along(cell.level, cell.k), grid.along(cell.level, cell.k + 1)});
+    const double around   = grid.closed() ? grid.n_columns() * plan_->block_length() : 0.;
+    double       distance = std::numeric_limits<double>::max();
+    for (const FineBox &box : (*zones_)[cell.body])
+      if (const double along = distance_along(box.along, ends.first, ends.second, around); along < reach)
+        distance = std::min(distance, std::max(along, grid.section_distance(cell, box.across)));
     // a cell beside the box is not divided when its parts would be thinner than the finest cells
     // and so cut the stable time step (0.95: tests/stable_step.cc finds no thinner ones in the box), or
     // thinner than 0.6 of the wanted size: the whole, at most 1.2 of it, is then nearer

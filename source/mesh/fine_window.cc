@@ -22,13 +22,23 @@ namespace wheelrail
   }
 
 
+  Range
+  window_across(const SweepPlan &plan, const FineWindow &window)
+  {
+    if (plan.across.empty())
+      return plan.whole_strip();
+    const int last = static_cast<int>(plan.across.size()) - 1;
+    return plan.across[std::clamp(window.column.rail, 0, last)];
+  }
+
+
   FineZone
   window_zone(const SweepPlan &plan, const FineWindow &window, const Body body)
   {
     const double block = plan.block_length();
-    FineZone     zone  = {window_range(plan, window, body)};
+    FineZone     zone  = {{window_range(plan, window, body), window_across(plan, window)}};
     for (const int k : window.kept[body])
-      zone.push_back({k * block, (k + 1) * block});
+      zone.emplace_back(Range{k * block, (k + 1) * block});
     return zone;
   }
 

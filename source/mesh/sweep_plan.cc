@@ -115,6 +115,35 @@ namespace wheelrail
       surfaces.tabulate(s0, s1);
       return surfaces;
     }
+
+    /// Where the finest cells lie across while the contact is in each block of the path: over the overlaps in
+    /// it and in the block on either side, and `margin` beside them, in pairs of cells.
+    std::vector<Range>
+    across_of_blocks(const SweepPlan &plan, const SweepSizes &sizes, const double margin)
+    {
+      constexpr std::size_t narrow = 4; // blocks
+      const std::size_t     blocks = plan.strip.s.size() - 1;
+      std::vector<Range>    across;
+      if (!sizes.moving || sizes.overlaps.empty() || blocks <= narrow)
+        return across;
+      const double spacing = plan.block_length();
+      const Range  strip   = plan.whole_strip();
+      const double pair    = 2 * (strip.s1 - strip.s0) / (double(blocks) * (1 << plan.levels));
+      for (int k = 0; k * spacing < sizes.distance + spacing; ++k)
+        {
+          Range hull{HUGE_VAL, -HUGE_VAL};
+          for (const OverlapAt &one : sizes.overlaps)
+            if (one.place >= (k - 1) * spacing && one.place <= (k + 2) * spacing)
+              hull = {std::min(hull.s0, one.across.s0), std::max(hull.s1, one.across.s1)};
+          if (hull.s1 > hull.s0)
+            across.push_back(
+              {std::max(strip.s0, strip.s0 + pair * std::floor((hull.s0 - margin - strip.s0) / pair)),
+               std::min(strip.s1, strip.s0 + pair * std::ceil((hull.s1 + margin - strip.s0) / pair))});
+          else
+            across.push_back(strip);
+        }
+      return across;
+    }
   } // namespace
 
 
@@ -169,6 +198,7 @@ namespace wheelrail
       sizes.distance,
       std::min((even.last - 1) * spacing - plan.reach, rail.s1 - std::max(free_rail, 3 * spacing)) - farther);
     plan.moving = sizes.moving;
+    plan.across = across_of_blocks(plan, sizes, margin);
     if (plan.moving)
       plan.fine.s1 = std::min(plan.fine.s1, plan.around_block.s1);
 

@@ -224,7 +224,7 @@ namespace wheelrail
             high[k] = std::max(high[k], value[k]);
           }
       }
-    m.across = std::max(low[0] - plan_->strip.s.back(), plan_->strip.s.front() - high[0]);
+    m.across = {low[0], high[0]};
     m.depth  = low[1] - plan_->fine_depth;
     m.width  = smallest_stretch(X);
     return m;
@@ -232,10 +232,12 @@ namespace wheelrail
 
 
   double
-  SweptGrid::section_distance(const CellPlace &cell) const
+  SweptGrid::section_distance(const CellPlace &cell, const Range &across) const
   {
-    const Measures &m = measures(cell);
-    return std::max(m.across, m.depth);
+    const Measures &m     = measures(cell);
+    const Range     strip = plan_->whole_strip();
+    return std::max(
+      {m.across.s0 - std::min(across.s1, strip.s1), std::max(across.s0, strip.s0) - m.across.s1, m.depth});
   }
 
 
@@ -261,9 +263,11 @@ namespace wheelrail
   SweptGrid::in_strip(const int block) const
   {
     CellPlace cell;
-    cell.block          = block;
-    const double within = -1e-3 * (plan_->strip.s.back() - plan_->strip.s.front());
-    return measures(cell).across < within;
+    cell.block            = block;
+    const Range     strip = plan_->whole_strip();
+    const double    more  = 1e-3 * (strip.s1 - strip.s0);
+    const Measures &m     = measures(cell);
+    return m.across.s0 < strip.s1 - more && m.across.s1 > strip.s0 + more;
   }
 
 

@@ -115,19 +115,14 @@ namespace wheelrail
       return zones;
     }
 
-    PerBody<Range>
-    ranges_of(const SweepPlan &plan, const FineWindow &window)
-    {
-      return {window_range(plan, window, Body::rail), window_range(plan, window, Body::wheel)};
-    }
-
-    /// The contact on a mesh whose finest cells lie in `range` of both bodies, and the added mass.
+    /// The contact on the mesh of the model's window, and the added mass.
     void
-    prepare_contact(Model &model, const SweepPlan &plan, const PerBody<Range> &range, MPI_Comm communicator)
+    prepare_contact(Model &model, const SweepPlan &plan, MPI_Comm communicator)
     {
-      const auto collect = [&](const Body body) {
-        return make_surface(
-          model.solid.mesh, body, plan.surfaces, make_lattice(plan, body, range[body]), communicator);
+      const Range across  = window_across(plan, model.window);
+      const auto  collect = [&](const Body body) {
+        const Lattice lattice = make_lattice(plan, body, window_range(plan, model.window, body), across);
+        return make_surface(model.solid.mesh, body, plan.surfaces, lattice, communicator);
       };
       model.contact->prepare(collect(Body::rail), collect(Body::wheel));
       add_band_mass(model.solid, model.contact->law().added_mass);
@@ -165,7 +160,7 @@ namespace wheelrail
       lower_stable_step(model.solid, model.parts);
       lower_step_to_path(scene, plan, of_cells, model.solid.stable);
       model.contact = make_contact(scene, model, communicator);
-      prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
+      prepare_contact(model, plan, communicator);
     }
 
     /// Columns of blocks in which a body has flowed, over all ranks, ascending.
@@ -243,6 +238,8 @@ namespace wheelrail
       sizes.moving = scene.window == MeshWindow::moving;
       plan_for_path(geometry, path, sizes);
       plan_for_irregularities(geometry, sizes);
+      if (!path.empty()) // overlaps are those of the start's place across
+        sizes.overlaps.clear();
       return sizes;
     }
 
@@ -339,8 +336,7 @@ namespace wheelrail
   prepare_mesh(Model &model, MPI_Comm communicator)
   {
     prepare_solid(model, communicator);
-    const SweepPlan &plan = model.discretization->plan();
-    prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
+    prepare_contact(model, model.discretization->plan(), communicator);
   }
 
 

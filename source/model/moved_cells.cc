@@ -51,13 +51,62 @@ namespace wheelrail
       return columns;
     }
 
-    /// Cells of a column that lies within the finest ones with all its neighbours.
+    /// A part of the strip with finest cells, and the blocks of the path from whose windows it is taken.
+    struct PartOfStrip
+    {
+      Range across;
+      int   first, last;
+    };
+
+    std::vector<PartOfStrip>
+    parts_of_strip(const SweepPlan &plan)
+    {
+      std::vector<PartOfStrip> parts;
+      for (std::size_t k = 0; k < plan.across.size(); ++k)
+        {
+          const Range &across = plan.across[k];
+          const int    block  = static_cast<int>(k);
+          if (!parts.empty() && parts.back().across.s0 == across.s0 && parts.back().across.s1 == across.s1)
+            parts.back().last = block;
+          else
+            parts.push_back({across, block, block});
+        }
+      if (parts.empty())
+        parts.push_back({plan.whole_strip(), 0, 0});
+      return parts;
+    }
+
+    /// The columns that windows on a part of the strip reach; the first one, of the start, is always among
+    /// them.
+    std::vector<int>
+    columns_of_part(const SweepPlan        &plan,
+                    const Body              body,
+                    const std::vector<int> &columns,
+                    const PartOfStrip      &part)
+    {
+      if (plan.across.empty() || body == Body::wheel)
+        return columns;
+      const Range &around = plan.around_block;
+      const int beyond = static_cast<int>(std::ceil(std::max(-around.s0, around.s1) / plan.block_length()));
+      std::vector<int> reached(1, columns.front());
+      for (const int column : columns)
+        if (const int block = column - columns.front();
+            block >= part.first - beyond && block <= part.last + beyond)
+          reached.push_back(column);
+      return reached;
+    }
+
+    /// Cells of a column that lies within the finest ones with all its neighbours along.
     std::vector<CellPlace>
-    cells_of_column(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const Body body, const int column)
+    cells_of_column(const SweepPlan          &plan,
+                    const PerBody<SweptGrid> &grids,
+                    const Body                body,
+                    const int                 column,
+                    const Range              &across)
     {
       const double      beside = 3 * plan.block_length(), begin = grids[body].along(0, column);
       PerBody<FineZone> zones;
-      zones[body] = {{begin - beside, begin + beside}};
+      zones[body] = {{Range{begin - beside, begin + beside}, across}};
       PerBody<std::set<int>> columns;
       columns[body] = {column};
       const RefinementRule   rule(plan, grids, zones);
@@ -115,24 +164,29 @@ namespace wheelrail
     double                    largest = 0;
     for (const Body body : both_bodies)
       {
-        const std::vector<int>       columns = columns_on_path(plan, grids[body]);
-        const std::vector<CellPlace> cells   = cells_of_column(plan, grids, body, columns.front());
-        std::vector<Stiffest>        found(columns.size());
-        const auto                   look = [&](const std::size_t n) {
-          found[n] = stiffest(grids[body], cells, columns[n] - columns.front(), steel[body]);
-        };
-        look(0); // finds the places of the section, which all columns have
-        parallel_for(columns.size() - 1, [&](const std::size_t n) { look(n + 1); });
-        for (const Stiffest &one : found)
-          if (one.bound > largest)
-            {
-              largest       = one.bound;
-              stable.body   = body;
-              stable.length = std::cbrt(element_geometry(one.at).volume);
-              stable.place  = {};
-              for (const Vector3 &X : one.at)
-                add(stable.place, 1. / 8, X);
-            }
+        const std::vector<int> on_path = columns_on_path(plan, grids[body]);
+        for (const PartOfStrip &part : parts_of_strip(plan))
+          {
+            const std::vector<int>       columns = columns_of_part(plan, body, on_path, part);
+            const std::vector<CellPlace> cells =
+              cells_of_column(plan, grids, body, columns.front(), part.across);
+            std::vector<Stiffest> found(columns.size());
+            const auto            look = [&](const std::size_t n) {
+              found[n] = stiffest(grids[body], cells, columns[n] - columns.front(), steel[body]);
+            };
+            look(0); // finds the places of the section, which all columns have
+            parallel_for(columns.size() - 1, [&](const std::size_t n) { look(n + 1); });
+            for (const Stiffest &one : found)
+              if (one.bound > largest)
+                {
+                  largest       = one.bound;
+                  stable.body   = body;
+                  stable.length = std::cbrt(element_geometry(one.at).volume);
+                  stable.place  = {};
+                  for (const Vector3 &X : one.at)
+                    add(stable.place, 1. / 8, X);
+                }
+          }
       }
     stable.scaled = largest > highest;
     stable.step   = stable_step(std::min(largest, highest), scene.bulk_viscosity);

@@ -103,6 +103,17 @@ namespace wheelrail
       return largest;
     }
 
+    /// Whether an irregularity lies under the wheel all along the path.
+    bool
+    changes_all_along(const RunningSurfaces &surfaces)
+    {
+      for (const Body body : both_bodies)
+        for (const Irregularity &one : surfaces[body].irregularities())
+          if (one.endless)
+            return true;
+      return false;
+    }
+
     /// The surfaces seen from a place that the wheel has rolled to.
     RunningSurfaces
     surfaces_at(RunningSurfaces surfaces, const double place)
@@ -167,7 +178,10 @@ namespace wheelrail
             const double place  = part.s0 + (part.s1 - part.s0) * k / n;
             const Range  across = overlap_across(surfaces_at(surfaces, place), look, half, approach);
             sizes.across = {std::min(sizes.across.s0, across.s0), std::max(sizes.across.s1, across.s1)};
+            sizes.overlaps.push_back({place, across});
           }
       }
+    if (!changes_all_along(surfaces))
+      sizes.overlaps.clear();
   }
 } // namespace wheelrail

@@ -1,3 +1,4 @@
+#include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/sampling/body_figures.h>
@@ -48,6 +49,14 @@ namespace wheelrail
       History    &table_;
       std::size_t column_ = 0;
     };
+
+    /// The rows of the whole strip, of which a mesh may have finest cells in a part.
+    Lattice
+    rows_of_strip(const Model &model)
+    {
+      const SweepPlan &plan = model.discretization->plan();
+      return make_lattice(plan, Body::rail, {0, 0}, plan.whole_strip());
+    }
 
     /// Moment of the contact's forces on the wheelset about the vertical through its middle [N m].
     double
@@ -174,10 +183,13 @@ namespace wheelrail
     row.put("peak_between_nodes", m.between_nodes);
     Row across(state_.wear);
     across.put("rolled_distance", patch.rolled_distance);
-    for (std::size_t j = 0; j < wear.lateral.size(); ++j)
+    const Lattice strip  = rows_of_strip(model_);
+    const long    before = std::lround((wear.lateral.front() - strip.s_begin) / strip.spacing_lateral);
+    for (long j = 0; j < static_cast<long>(strip.n_lateral); ++j)
       {
-        across.put("archard_depth_" + std::to_string(j), "m", wear.depth[j]);
-        across.put("friction_work_" + std::to_string(j), "N/m", wear.work[j]);
+        const bool on_mesh = j >= before && j < before + static_cast<long>(wear.lateral.size());
+        across.put("archard_depth_" + std::to_string(j), "m", on_mesh ? wear.depth[j - before] : 0);
+        across.put("friction_work_" + std::to_string(j), "N/m", on_mesh ? wear.work[j - before] : 0);
       }
   }
 
@@ -185,8 +197,8 @@ namespace wheelrail
   WearProfile
   Recorder::wear(const Scene &scene) const
   {
-    WearProfile    profile;
-    const Lattice &lattice = model_.contact->lattice();
+    WearProfile   profile;
+    const Lattice lattice = rows_of_strip(model_);
     if (state_.wear.columns.size() != 1 + 2 * std::size_t(lattice.n_lateral))
       return profile;
     const Range stretch = averaging_stretch(scene);

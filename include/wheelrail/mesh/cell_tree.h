@@ -2,6 +2,7 @@
 
 #include <wheelrail/mesh/swept_grid.h>
 
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <unordered_set>
@@ -9,8 +10,19 @@
 
 namespace wheelrail
 {
-  /// Stretches along the track, or around the wheel, where the finest cells lie [m].
-  using FineZone = std::vector<Range>;
+  /// Where finest cells lie [m]: a stretch along the track, or around the wheel, and a part of the strip.
+  struct FineBox
+  {
+    FineBox(const Range &along, const Range &across = {-HUGE_VAL, HUGE_VAL})
+      : along(along)
+      , across(across)
+    {
+    }
+
+    Range along, across;
+  };
+
+  using FineZone = std::vector<FineBox>;
 
   /// Which cells are divided for what lies in them, neighbours apart: all that overlap the box below the
   /// strip, wherever its zones are, down to the finest level. Cells beside it grow with the distance, and are

@@ -26,7 +26,11 @@ namespace wheelrail
   Range
   window_range(const SweepPlan &plan, const FineWindow &window, Body body);
 
-  /// All of them.
+  /// The part of the strip in which they lie [m].
+  Range
+  window_across(const SweepPlan &plan, const FineWindow &window);
+
+  /// All of them, and the whole strip in columns that are kept.
   FineZone
   window_zone(const SweepPlan &plan, const FineWindow &window, Body body);
 

@@ -27,8 +27,9 @@ namespace wheelrail
     station(double along) const;
   };
 
-  /// The stations in the stretch `range` [m] of a body and the rows of the strip. Other ranges of the same
-  /// plan store other parts of the same endless lattice; on the wheel, stations go on after a turn.
+  /// The stations in the stretch `range` of a body and the rows in the part `across` of the strip [m]. Other
+  /// ranges of the same plan store other parts of the same endless lattice; on the wheel, stations go on
+  /// after a turn.
   Lattice
-  make_lattice(const SweepPlan &plan, Body body, const Range &range);
+  make_lattice(const SweepPlan &plan, Body body, const Range &range, const Range &across);
 } // namespace wheelrail

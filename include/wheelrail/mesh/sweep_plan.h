@@ -37,10 +37,28 @@ namespace wheelrail
     double          longest_path = 0; ///< that the rail lets the wheel roll when they move [m]
     int             start_block  = 0; ///< blocks by which the wheel starts farther along the rail
 
+    /// The part of a wide strip in which finest cells lie while the contact is in each block of the path,
+    /// from that of the start on [m]; none: all of the strip.
+    std::vector<Range> across;
+
     /// Length of a coarse block on the running circle [m]; where the wheel rolls, the stations of the rail
     /// are its multiples, too.
     double
     block_length() const;
+
+    /// Where the strip begins and ends across [m].
+    Range
+    whole_strip() const
+    {
+      return {strip.s.front(), strip.s.back()};
+    }
+  };
+
+  /// Where surfaces overlap across once they are pressed together at a place of the path [m].
+  struct OverlapAt
+  {
+    double place;
+    Range  across;
   };
 
   /// The lengths that a sweep plan is made with [m].
@@ -62,6 +80,9 @@ namespace wheelrail
     Range across; ///< where patches come to lie besides that of the start, over s
     Range along;  ///< overlaps besides that of the start, from the contact point
     Range ahead;  ///< how far the contact moves along besides the path
+
+    // of surfaces that change along the whole path: a wide strip has finest cells only where they overlap
+    std::vector<OverlapAt> overlaps;
   };
 
   /// Lays out the sections, the strip of finest cells, and the stations along rail and wheel. The finest

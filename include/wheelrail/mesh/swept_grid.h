@@ -105,10 +105,10 @@ namespace wheelrail
     Vector3
     position(const CellPlace &cell, unsigned int v) const;
 
-    /// Distance of a cell from the box of finest cells in the section: the larger of those across the strip
-    /// and in depth; negative inside [m].
+    /// Distance of a cell from the box of finest cells in the section: the larger of those across, from the
+    /// part of the strip in `across`, and in depth; negative inside [m].
     double
-    section_distance(const CellPlace &cell) const;
+    section_distance(const CellPlace &cell, const Range &across) const;
 
     /// Smallest stretch of the unit cube onto a cell [m]: the edge of a cube, the thickness of a flat or
     /// skewed cell. The stable time step is in proportion to it.
@@ -141,7 +141,8 @@ namespace wheelrail
   private:
     struct Measures
     {
-      double across = 0, depth = 0, width = -1;
+      Range  across;
+      double depth = 0, width = -1;
     };
     const Section &
     section() const
