@@ -195,7 +195,7 @@ namespace
               }
             fs::current_path(here);
           }
-    check(files > 20 && unread == 12, "the ready files are read");
+    check(files > 20 && unread == 13, "the ready files are read");
     for (const auto &file : fs::directory_iterator(source / "prm/steels"))
       {
         const std::string text = "include " + file.path().string() + "\n";

@@ -287,7 +287,7 @@ namespace
       "Up to 100 % of the passages are with care, such as the scene: Too few elements: they leave the peak "
       "pressure uncertain by 5.1 %; take Half-space/Element size = 0.98 mm. The peak pressure is 6 % above "
       "that of the true bodies, whose head and rim turn and move under these forces, which half-spaces do "
-      "not know; take Half-space/Bodies = real.",
+      "not include; take Half-space/Bodies = real.",
       "contacts on the head are held against true bodies");
     scene.lateral_shift      = -4.5e-3;
     const WearState   corner = worn(scene);
