@@ -21,7 +21,7 @@ namespace wheelrail
   namespace
   {
     /// Strain and residual stress of steel that barely yields depend on the cell that the highest stress
-    /// meets: on 3.8 to 5.4 cells across the patch the strain was 0.3 to 1.1 of what smaller cells tend to.
+    /// meets: on 3.8 to 5.4 cells across the patch the strain was 0.1 to 1.1 of what smaller cells tend to.
     bool
     knows_strain(const Measures &measures)
     {
