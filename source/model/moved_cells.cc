@@ -88,10 +88,10 @@ namespace wheelrail
         return columns;
       const Range &around = plan.around_block;
       const int beyond = static_cast<int>(std::ceil(std::max(-around.s0, around.s1) / plan.block_length()));
-      std::vector<int> reached(1, columns.front());
+      std::vector<int> reached;
       for (const int column : columns)
         if (const int block = column - columns.front();
-            block >= part.first - beyond && block <= part.last + beyond)
+            block == 0 || (block >= part.first - beyond && block <= part.last + beyond))
           reached.push_back(column);
       return reached;
     }

@@ -169,6 +169,7 @@ namespace wheelrail
     for (const Range &part :
          interpenetration(geometry.wheel_heights(), geometry.rail_heights(), approach + height))
       look = {std::min(look.s0, part.s0), std::max(look.s1, part.s1)};
+    const bool       all_along = changes_all_along(surfaces);
     constexpr double spacing = 2e-3, most = 60; // of places along
     for (const Range &part : stretches(surfaces, sizes.distance, half))
       {
@@ -178,10 +179,9 @@ namespace wheelrail
             const double place  = part.s0 + (part.s1 - part.s0) * k / n;
             const Range  across = overlap_across(surfaces_at(surfaces, place), look, half, approach);
             sizes.across = {std::min(sizes.across.s0, across.s0), std::max(sizes.across.s1, across.s1)};
-            sizes.overlaps.push_back({place, across});
+            if (all_along)
+              sizes.overlaps.push_back({place, across});
           }
       }
-    if (!changes_all_along(surfaces))
-      sizes.overlaps.clear();
   }
 } // namespace wheelrail

@@ -99,9 +99,9 @@ namespace wheelrail
       {
         problem.grid = loaded.grid;
         // the static search asks for tractions again until they stay within 1e-5
-        // 1. Pressures of the elements [Pa], between the nodes
         problem.coupling_tolerance = 1e-5;
-        pressure                   = element_pressures(contact, loaded);
+        // 1. Pressures of the elements [Pa], between the nodes
+        pressure = element_pressures(contact, loaded);
         for (int j = 0; j < loaded.grid.my; ++j)
           for (int i = 0; i < loaded.grid.mx; ++i)
             // force of a node over the area of its elements
@@ -158,8 +158,7 @@ namespace wheelrail
         for (StartPlane &plane : planes_)
           {
             plane.problem.longitudinal_force_given = false;
-            // c of w_x: the same for all planes, one pitch rate
-            plane.problem.xi = creepage;
+            plane.problem.xi                       = creepage;
             plane.solve();
           }
       }
