@@ -235,6 +235,16 @@ namespace
       "flange that no block of 16 mm fits between them and its tip. Does y of all slices point to the field "
       "side (Profiles/Rail mirror)?",
       "both rails mirrored");
+    check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
+                          "Profiles/Second rail = " + sections + "nose.slcs",
+                          "Profiles/Rail place = 600 mm",
+                          "Track/Rail inclination = 0",
+                          "Mesh/Solution cell size = 2 mm",
+                          "Run/Rolling distance = 120 mm"}),
+               "--set: Profiles/Rail: at 690 mm along the rails the wheel stands on its field-side edge, "
+               "54.25 mm beside the middle of the section, beyond the fine cells; end the path before, by a "
+               "shorter Run/Rolling distance",
+               "a path behind the end of the nose");
     check_text(
       validated({"Profiles/Rail = deep.slcs"}),
       "--set: Profiles/Rail = deep.slcs: between -100 mm and 160 mm its sections do not lie over each other "

@@ -26,14 +26,21 @@ namespace wheelrail
       return std::max(a, b) + round / 6 * rest * rest * rest;
     }
 
-    /// How far the highest place of heights stands over the lowest line of the wheel [m].
+    /// Where heights stand highest over the lowest line of the wheel, and by how much [m].
+    std::pair<std::size_t, double>
+    highest_over(const std::vector<double> &height, const std::vector<double> &wheel)
+    {
+      std::pair<std::size_t, double> most{0, nothing};
+      for (std::size_t i = 0; i < wheel.size(); ++i)
+        if (height[i] - wheel[i] > most.second)
+          most = {i, height[i] - wheel[i]};
+      return most;
+    }
+
     double
     over_wheel(const std::vector<double> &height, const std::vector<double> &wheel)
     {
-      double most = nothing;
-      for (std::size_t i = 0; i < wheel.size(); ++i)
-        most = std::max(most, height[i] - wheel[i]);
-      return most;
+      return highest_over(height, wheel).second;
     }
   } // namespace
 
@@ -128,9 +135,12 @@ namespace wheelrail
 
 
   /// Heights g of what the wheel sweeps over the highest places of the rails [m], and how far ahead of the
-  /// axle or behind it the wheel touches.
+  /// axle or behind it the wheel touches. Throws InputError where it touches beyond `edge` across.
   std::vector<double>
-  CrossingSurface::swept(const std::vector<double> &highest, const double radius)
+  CrossingSurface::swept(const std::vector<double> &highest,
+                         const std::vector<double> &highest_across,
+                         const double               edge,
+                         const double               radius)
   {
     const std::size_t   n = along.size();
     std::vector<double> wheel(n, nothing), heights(n, HUGE_VAL);
@@ -147,8 +157,15 @@ namespace wheelrail
               wheel[a] = touches;
               at       = k;
             }
-        if (a >= start && a + start < n) // on the path
-          farthest = std::max(farthest, std::abs(along[at] - along[a]));
+        if (a < start || a + start >= n) // beside the path
+          continue;
+        farthest = std::max(farthest, std::abs(along[at] - along[a]));
+        if (highest_across[at] > edge)
+          throw InputError("at " + in_mm(along[a]) +
+                           " along the rails the wheel stands on its field-side edge, " +
+                           in_mm(highest_across[at]) +
+                           " beside the middle of the section, beyond the fine cells; end the path before, "
+                           "by a shorter Run/Rolling distance");
       }
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t a = 0; a < n; ++a)
@@ -163,12 +180,13 @@ namespace wheelrail
   CrossingSurface::fill(const std::vector<OneRail> &rails,
                         const std::vector<double>  &wheel,
                         const double                radius,
+                        const double                edge,
                         std::vector<std::string>   &notes)
   {
     const std::size_t n = along.size(), m = across.size();
     height.assign(n, std::vector<double>(m, nothing));
     second_.assign(n, std::vector<char>(m, 0));
-    std::vector<double> highest(n);
+    std::vector<double> highest(n), highest_across(n);
     for (std::size_t k = 0; k < n; ++k)
       {
         for (const OneRail &rail : rails)
@@ -176,11 +194,13 @@ namespace wheelrail
             height[k][i] = std::max(height[k][i], rail.height[k][i] - sunk(rail, along[k]));
         for (std::size_t i = 0; i < m; ++i)
           second_[k][i] = rails.back().height[k][i] > rails.front().height[k][i];
-        highest[k] = over_wheel(height[k], wheel);
+        const auto [i, most] = highest_over(height[k], wheel);
+        highest[k]           = most;
+        highest_across[k]    = across[i];
       }
     if (*std::max_element(highest.begin(), highest.end()) == nothing)
       throw InputError("wheel and rails by slices do not lie over each other");
-    const std::vector<double> heights = swept(highest, radius);
+    const std::vector<double> heights = swept(highest, highest_across, edge, radius);
     std::size_t               first = m, end = 0;
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = 0; i < m; ++i)
@@ -279,6 +299,8 @@ namespace wheelrail
           read_rail(scene, "Second rail", scene.second_rail, notes)},
          wheel.height,
          scene.track.nominal_radius,
+         // fine cells end in front of the chamfer (make_fine_strip()), and half a patch is two cells
+         across.back() - 0.3 * scene.coarse_cell_size - 2 * scene.cell_size,
          notes);
   }
 

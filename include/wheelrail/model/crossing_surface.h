@@ -71,11 +71,15 @@ namespace wheelrail
     double
     sunk(const OneRail &rail, double place) const;
     std::vector<double>
-    swept(const std::vector<double> &highest, double radius);
+    swept(const std::vector<double> &highest,
+          const std::vector<double> &highest_across,
+          double                     edge,
+          double                     radius);
     void
     fill(const std::vector<OneRail> &rails,
          const std::vector<double>  &wheel,
          double                      radius,
+         double                      edge,
          std::vector<std::string>   &notes);
     void
     tell_ends(const std::vector<OneRail> &rails,
