@@ -1,6 +1,7 @@
 """How often the truth lies within the intervals of 95 %, over random scenes with kept seeds (doc/theory/intervals.md).
 
 Usage: interval_coverage.py PROGRAM FAMILY FIRST LAST
+       interval_coverage.py --picture PICTURE FAMILY:FIRST:LAST ...   of the lines that are there
 
 Families, whose input N is drawn from seed N:
 
@@ -19,7 +20,8 @@ Seeds to 2053 calibrated, of peak shear and worn section to 2113; those from 205
 truths.jsonl in the present folder and are not solved again; those of the program are lines of FAMILY.jsonl, with the
 causes of their intervals. Printed: of each family and result the share outside (at most 8 of 93), the median width of the interval over
 the value (of forces over the normal force; of creepage and T-gamma, which may be near nought, where a quarter of what friction
-carries is asked for), and the seeds outside.
+carries is asked for), and the seeds outside. The picture shows of narrower intervals, too, how many hold the truth: spreads
+times a factor hold the share that a normal error would leave in them where they are calibrated.
 """
 
 import csv
@@ -29,6 +31,7 @@ import os
 import random
 import shutil
 import sys
+from statistics import NormalDist
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests"))
 from random_contacts import contact, contact_entries, known, scene_file  # noqa: E402
@@ -258,11 +261,46 @@ def print_coverage(family, lines):
                       f"median width {100 * sorted(widths or [0])[len(widths) // 2]:6.2f} %  {outside}")
 
 
+def picture(path, families):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    names = {"max_pressure_Pa": "peak", "contact_area_m2": "area", "creepage": "creepage", "t_gamma_N": "T-gamma",
+             "lateral_force_N": "lateral force", "largest_vertical_force_N": "largest force"}
+    figure, panels = plt.subplots(1, len(families), sharey=True, figsize=(3 * len(families), 3.2), constrained_layout=True)
+    shares = [k / 100 for k in range(0, 100)] + [0.99, 0.995]
+    for axes, (family, first, last) in zip(panels, families):
+        lines = [line for seed, line in known(f"{family}.jsonl").items() if int(first) <= seed <= int(last)]
+        for key, name in names.items():
+            reach = []  # of the truth from the middle of (1), in spreads
+            for pair in (pair for line in lines for pair in line["results"].values()):
+                truth, own = pair["truth"].get(key), pair["own"]
+                causes = [cause for cause in own["causes"] if key.startswith(cause["result"])]
+                spread = sum(float(cause["spread"]) ** 2 for cause in causes) ** 0.5
+                if truth is not None and own.get(tail(key, "low")) is not None and spread > 0:
+                    reach.append(abs(truth - own[key] - sum(float(cause["shift"]) for cause in causes)) / spread)
+            if len(reach) >= 10:
+                held = [sum(one <= NormalDist().inv_cdf(0.5 + share / 2) / 1.96 for one in reach) / len(reach)
+                        for share in shares]
+                axes.plot(shares, held, label=f"{name}, {len(reach)}")
+        axes.plot((0, 1), (0, 1), color="0.4", linewidth=0.8)
+        axes.set(title=family, xlabel="share that should be within", xlim=(0, 1), ylim=(0, 1.02))
+        axes.legend(loc="lower right", fontsize="small")
+        axes.grid(alpha=0.3)
+    panels[0].set_ylabel("share of truths within")
+    figure.savefig(path, dpi=110)
+
+
 FAMILIES = {"contacts": contacts, "noise": noise, "runs": runs, "yielding": yielding, "impacts": impacts,
             "meshes": meshes}
 
 
 def main():
+    if sys.argv[1] == "--picture":
+        picture(sys.argv[2], [family.split(":") for family in sys.argv[3:]])
+        return
     program, family, first, last = os.path.abspath(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
     path = f"{family}.jsonl"
     for seed in range(first, last + 1):

@@ -100,13 +100,14 @@ namespace
     check(!std::isfinite(interval_of("lateral_force", 0, few).low), "nor what neither run has");
   }
 
-  /// Plastic strain has an estimate where enough cells lie across the patch.
+  /// Plastic strain has an estimate where enough cells lie across the patch; the area lies too high.
   void
   test_yielding()
   {
     Summary run;
     run.max_pressure       = 1e9;
     run.max_plastic_strain = 4e-3;
+    run.contact_area       = 1e-4;
     Measures m             = good();
     m.plastic_strain       = 4e-3;
     for (const auto &[cells, high, known] :
@@ -118,6 +119,10 @@ namespace
         const Interval      strain = interval_of("max_plastic_strain", run.max_plastic_strain, causes);
         check(std::isnan(high) ? std::isnan(strain.high) : std::abs(strain.high - high) < 1e-9,
               "3.5/n above the strain of n cells, of few none");
+        const Interval area = interval_of("contact_area", run.contact_area, causes);
+        const double   lost = 0.5 * m.lost(false) * run.contact_area;
+        check_near((area.low - run.contact_area) / lost, -1.75, 1e-9, "area from 1.75 L below");
+        check_near((area.high - run.contact_area) / lost, 0.25, 1e-9, "to 0.25 L above");
         holds(without_intervals(Scene(), m, {}, {}), known, "what has an interval");
       }
   }
