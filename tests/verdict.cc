@@ -181,6 +181,11 @@ namespace
                "come behind it; roll farther (Run/Rolling distance).",
                "a force that still rises");
     set_figure(run, "largest_vertical_force_at_m", 0.072);
+    Summary two       = run;
+    two.patch_lateral = 72e-3;
+    set_figure(two, "patches", 2);
+    check_near(
+      measures_of_run(scene, two).cells, 6, 0, "cells of the patch with the peak, not of two together");
     run.vertical_force     = 0.8e3;
     run.patch_longitudinal = 0;
     const Verdict verdict  = judge_run(scene, measures_of_run(scene, run));

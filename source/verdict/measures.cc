@@ -113,7 +113,9 @@ namespace wheelrail
     Measures   m;
     m.cells             = std::min(run.patch_lateral, run.patch_longitudinal) / scene.cell_size;
     m.cells_across_peak = figure("cells_across_peak");
-    m.between_nodes     = figure("peak_between_nodes");
+    if (figure("patches") > 1) // the extents are those of all together
+      m.cells = std::min(m.cells, m.cells_across_peak);
+    m.between_nodes = figure("peak_between_nodes");
     m.unsteadiness =
       std::max(figure("vertical_force_std_N"), figure("longitudinal_force_std_N")) / run.vertical_force;
     m.pressure_noise = figure("max_pressure_fitted_std_Pa") / run.max_pressure_fitted;
