@@ -7,6 +7,7 @@
 #include "check.h"
 #include "reference_table.h"
 
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/mesh/section_builder.h>
@@ -124,17 +125,15 @@ namespace
 int
 main()
 {
-  const Scene scene = scene_from_text("",
-                                      "x.prm",
-                                      {"Half-space/Element size = 0.4 mm",
-                                       "Rail material/Young's modulus = 204.8 GPa",
-                                       "Wheel material/Young's modulus = 204.8 GPa",
-                                       "Rail material/Poisson's ratio = 0.28",
-                                       "Wheel material/Poisson's ratio = 0.28",
-                                       "Contact/Friction coefficient = 0.3",
-                                       "Wheelset/Velocity = 5 km/h",
-                                       "Wheelset/Traction coefficient = 0"})
-                        .scene;
+  const Scene scene =
+    scene_from_text(
+      "",
+      "x.prm",
+      split_list(
+        "Half-space/Element size = 0.4 mm, Rail material/Young's modulus = 204.8 GPa, Wheel material/Young's "
+        "modulus = 204.8 GPa, Rail material/Poisson's ratio = 0.28, Wheel material/Poisson's ratio = 0.28, "
+        "Contact/Friction coefficient = 0.3, Wheelset/Velocity = 5 km/h, Wheelset/Traction coefficient = 0"))
+      .scene;
   const Elasticity steel = elasticity(scene.rail_material);
   WheelRailLoad    load;
   load.force       = 1e4;

@@ -5,7 +5,7 @@
 #include "messages.h"
 
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/application/compare_command.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/input/listing.h>
@@ -60,29 +60,18 @@ namespace
     std::ostringstream out;
     check_near(execute({"compare", folder.string()}, {}, out), 0, 0, "exit code");
     const Summary s = read_summary((folder / "summary.json").string());
-    for (const char *base : {"vertical_force",
-                             "longitudinal_force",
-                             "normal_force",
-                             "lateral_force",
-                             "max_pressure",
-                             "contact_area",
-                             "patch_lateral",
-                             "patch_longitudinal",
-                             "max_shear_traction",
-                             "creepage",
-                             "stick_fraction"})
+    for (const std::string &base : split_list(
+           "vertical_force, longitudinal_force, normal_force, lateral_force, max_pressure, contact_area, "
+           "patch_lateral, patch_longitudinal, max_shear_traction, creepage, stick_fraction"))
       check_near(get_figure(s, std::string("relative_difference_") + base), 0, 1e-3, base);
     check_near(get_figure(s, "halfspace_max_pressure_Pa"), s.max_pressure, 1e-3 * s.max_pressure, "its peak");
     check(out.str().find("-% %") == std::string::npos && out.str().find("% of the load") != std::string::npos,
           "differences with their unit, the lateral force in parts of the load");
     check(out.str().find("The run agrees with the half-spaces within 0.1 %") != std::string::npos,
           "the sentence");
-    for (const char *file : {"compare.json",
-                             "compare.html",
-                             "halfspace.h5",
-                             "halfspace_slices.h5",
-                             "pictures/compare_cut_aa.png",
-                             "pictures/compare_subsurface_aa.png"})
+    for (const std::string &file :
+         split_list("compare.json, compare.html, halfspace.h5, halfspace_slices.h5, "
+                    "pictures/compare_cut_aa.png, pictures/compare_subsurface_aa.png"))
       check(fs::exists(folder / file), std::string(file) + " is written");
     std::ifstream     page(folder / "compare.html");
     std::stringstream text;

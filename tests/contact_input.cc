@@ -6,6 +6,7 @@
 #include "messages.h"
 #include "quadratic_distance.h"
 
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/contactfiles/contact_input.h>
 
 #include <sstream>
@@ -66,18 +67,9 @@ namespace
   test_control_lines()
   {
     const auto                     lines = read_lines(contact_input(ellipse(true), "two lines\nof a title"));
-    const std::vector<std::string> expected = {"3",
-                                               "203110",
-                                               "022029",
-                                               "0001211",
-                                               "999 200 50 1 1e-06",
-                                               "100000 -0.5 0 0",
-                                               "0.5 0.5",
-                                               "0d 0.5 30000",
-                                               "0.3 0.3 80769.2308 80769.2308",
-                                               "1",
-                                               "29 25 -7.25 -6.25 0.5 0.5",
-                                               "9 1"};
+    const std::vector<std::string> expected = split_list(
+      "3, 203110, 022029, 0001211, 999 200 50 1 1e-06, 100000 -0.5 0 0, 0.5 0.5, 0d 0.5 30000, 0.3 0.3 "
+      "80769.2308 80769.2308, 1, 29 25 -7.25 -6.25 0.5 0.5, 9 1");
     for (std::size_t i = 0; i < expected.size(); ++i)
       check_text(joined(lines[i]), expected[i], "line " + std::to_string(i + 1));
     check_text(joined(lines.back()), "0", "last line");

@@ -6,10 +6,12 @@
 #include "fuzz.h"
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -21,62 +23,14 @@ namespace test
   input_words()
   {
     using wheelrail::Dimension;
-    std::vector<std::string> words = {"0",
-                                      "-0",
-                                      "1",
-                                      "-1",
-                                      "1e9",
-                                      "1e308",
-                                      "1e999",
-                                      "1e-999",
-                                      "-1e400",
-                                      "5e-324",
-                                      "nan",
-                                      "inf",
-                                      "-inf",
-                                      "0x10",
-                                      "1/0",
-                                      "1/40",
-                                      "1/1e-320",
-                                      "0/0",
-                                      "1,5",
-                                      "1.5.2",
-                                      ".",
-                                      "+",
-                                      "-",
-                                      "=",
-                                      "==",
-                                      "#",
-                                      "/",
-                                      "\\",
-                                      "\"",
-                                      "'",
-                                      "set",
-                                      "end",
-                                      "subsection",
-                                      "include",
-                                      "set =",
-                                      "subsection\n",
-                                      "end\n",
-                                      "\n",
-                                      "\r",
-                                      "\r\n",
-                                      "\t",
-                                      " ",
-                                      "auto",
-                                      "none",
-                                      "true",
-                                      "false",
-                                      "99999999999999999999",
-                                      "4294967296",
-                                      "-2147483649",
-                                      "\xEF\xBB\xBF",
-                                      "\xC2\xB5m",
-                                      "\xFF\xFE",
-                                      "${HOME}",
-                                      "$(ls)",
-                                      "../../x.prm",
-                                      "%s%n"};
+    std::vector<std::string> words = wheelrail::split_list(
+      "0 | -0 | 1 | -1 | 1e9 | 1e308 | 1e999 | 1e-999 | -1e400 | 5e-324 | nan | inf | -inf | 0x10 | 1/0 | "
+      "1/40 | 1/1e-320 | 0/0 | 1,5 | 1.5.2 | . | + | - | = | == | # | / | \\ | \" | ' | set | end | "
+      "subsection | include | set = | subsection\n | end\n | \n | \r | \r\n | \t |   | auto | none | true | "
+      "false | 99999999999999999999 | 4294967296 | -2147483649 | \xEF\xBB\xBF | \xC2\xB5m | \xFF\xFE | "
+      "${HOME} | $(ls) | ../../x.prm | %s%n",
+      '|');
+    std::replace(words.begin(), words.end(), std::string(), std::string(1, ' ')); // split_list() drops blanks
     words.emplace_back(1, '\0');
     words.emplace_back(500, '9');
     words.emplace_back(5000, 'a');

@@ -6,8 +6,10 @@
 #include "fuzz.h"
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/profiles/profile_file.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -19,71 +21,15 @@ namespace test
   inline std::vector<std::string>
   profile_words()
   {
-    std::vector<std::string> words = {"0",
-                                      "-0",
-                                      "1",
-                                      "-1",
-                                      "1e9",
-                                      "1e308",
-                                      "1e999",
-                                      "-1e-999",
-                                      "nan",
-                                      "inf",
-                                      "0x10",
-                                      "1,5",
-                                      "1.5.2",
-                                      "1e",
-                                      ".",
-                                      "-",
-                                      "+",
-                                      "=",
-                                      ",",
-                                      ";",
-                                      "\t",
-                                      " ",
-                                      "\n",
-                                      "\r",
-                                      "\r\n",
-                                      "!",
-                                      "#",
-                                      "//",
-                                      "\"",
-                                      "'",
-                                      "1000",
-                                      "0.001",
-                                      "25.4",
-                                      "1000000",
-                                      "-70",
-                                      "0 0",
-                                      "1 1\n",
-                                      "1;1\n",
-                                      "x y z",
-                                      "\xEF\xBB\xBF",
-                                      "\xFF\xFE",
-                                      "point.begin",
-                                      "point.end",
-                                      "type",
-                                      "type = 1",
-                                      "type = 0",
-                                      "units.len.f",
-                                      "units.len.f = 1000",
-                                      "units.len.f = 0",
-                                      "inversion",
-                                      "mirror.y",
-                                      "mirror.z",
-                                      "bound.y.min",
-                                      "comment",
-                                      "header.begin",
-                                      "header.end",
-                                      "spline.begin",
-                                      "spline.end",
-                                      "ColumnDef=X,Y",
-                                      "ColumnDef=Y,X,N",
-                                      "XYPoints=3",
-                                      "XYPoints=99999999999",
-                                      "XOffset=1",
-                                      "Rail",
-                                      "ProgramName=MiniProf"};
+    std::vector<std::string> words = wheelrail::split_list(
+      "0 | -0 | 1 | -1 | 1e9 | 1e308 | 1e999 | -1e-999 | nan | inf | 0x10 | 1,5 | 1.5.2 | 1e | . | - | + | = "
+      "| , | ; | \t |   | \n | \r | \r\n | ! | # | // | \" | ' | 1000 | 0.001 | 25.4 | 1000000 | -70 | 0 0 | "
+      "1 1\n | 1;1\n | x y z | \xEF\xBB\xBF | \xFF\xFE | point.begin | point.end | type | type = 1 | type = "
+      "0 | units.len.f | units.len.f = 1000 | units.len.f = 0 | inversion | mirror.y | mirror.z | "
+      "bound.y.min | comment | header.begin | header.end | spline.begin | spline.end | ColumnDef=X,Y | "
+      "ColumnDef=Y,X,N | XYPoints=3 | XYPoints=99999999999 | XOffset=1 | Rail | ProgramName=MiniProf",
+      '|');
+    std::replace(words.begin(), words.end(), std::string(), std::string(1, ' ')); // split_list() drops blanks
     words.emplace_back(1, '\0');
     words.emplace_back(400, '9');
     words.emplace_back(5000, ' ');

@@ -4,6 +4,7 @@
 // balance.
 #include "check.h"
 
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/sampling/creep_scale.h>
 #include <wheelrail/sampling/steadiness.h>
 
@@ -35,25 +36,12 @@ namespace
   made_up(const Faults &faults)
   {
     History history, patches;
-    history.names = {"rolled_distance",
-                     "normal_force",
-                     "vertical_force",
-                     "longitudinal_force",
-                     "lateral_force",
-                     "creepage",
-                     "yaw_moment",
-                     "drive_torque"};
-    patches.names = {"rolled_distance",
-                     "max_pressure",
-                     "max_pressure_fitted",
-                     "contact_area",
-                     "patch_lateral",
-                     "patch_longitudinal",
-                     "patch_centre_lateral",
-                     "patch_centre_longitudinal",
-                     "max_shear_traction",
-                     "stick_fraction",
-                     "t_gamma"};
+    history.names = split_list(
+      "rolled_distance, normal_force, vertical_force, longitudinal_force, lateral_force, creepage, "
+      "yaw_moment, drive_torque");
+    patches.names = split_list(
+      "rolled_distance, max_pressure, max_pressure_fitted, contact_area, patch_lateral, patch_longitudinal, "
+      "patch_centre_lateral, patch_centre_longitudinal, max_shear_traction, stick_fraction, t_gamma");
     history.columns.resize(history.names.size());
     patches.columns.resize(patches.names.size());
     std::mt19937                     generator(1);

@@ -7,6 +7,7 @@
 #include "small_scene.h"
 #include "stopped_runs.h"
 
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/scene/rail_bending.h>
@@ -97,13 +98,8 @@ namespace
     check(most > 0.2 && most < 0.5, "the most loaded pad bears a part of the load: " + std::to_string(most));
     check(get_figure(summary, "largest_pad_pull_N") >= 0, "lifted pads pull");
     const History history = read_history("track/history.h5");
-    for (const char *name : {"foot_deflection",
-                             "pad_energy",
-                             "pad_dissipation",
-                             "sleeper_energy",
-                             "ballast_energy",
-                             "ballast_dissipation",
-                             "end_dissipation"})
+    for (const std::string &name : split_list("foot_deflection, pad_energy, pad_dissipation, sleeper_energy, "
+                                              "ballast_energy, ballast_dissipation, end_dissipation"))
       check(std::find(history.names.begin(), history.names.end(), name) != history.names.end(),
             std::string("the history has ") + name);
   }

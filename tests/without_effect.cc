@@ -5,10 +5,10 @@
 #include "other_values.h"
 
 #include <wheelrail/application/geometry_command.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/without_effect.h>
 #include <wheelrail/vehicle/wheelset_contact.h>
 
-#include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -104,16 +104,8 @@ namespace
     unsigned int all = 0;
     for (const fs::directory_entry &file : fs::recursive_directory_iterator(WHEELRAIL_SOURCE_DIR "/prm"))
       if (file.path().extension() == ".prm")
-        for (const char *const command : {"geometry",
-                                          "halfspace",
-                                          "vehicle",
-                                          "wear",
-                                          "receptance",
-                                          "material",
-                                          "compare",
-                                          "run",
-                                          "parameters",
-                                          "study"})
+        for (const std::string &command : split_list(
+               "geometry, halfspace, vehicle, wear, receptance, material, compare, run, parameters, study"))
           {
             const auto notes = entries_without_effect(read_scene(file.path(), {}), command);
             check(notes.empty(),

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/model/coarser_cells.h>
@@ -68,34 +69,17 @@ namespace wheelrail
       return contributions;
     }
 
-    using Names = std::vector<const char *>;
+    using Names = std::vector<std::string>;
 
     // with which power of the cells results err (doc/theory/intervals.md)
-    const Names of_second_order = {"max_pressure",
-                                   "max_pressure_fitted",
-                                   "contact_area",
-                                   "patch_lateral",
-                                   "patch_longitudinal",
-                                   "largest_vertical_force",
-                                   "first_rail_force",
-                                   "second_rail_force",
-                                   "impact_factor",
-                                   "largest_pad_force",
-                                   "largest_pad_pull",
-                                   "largest_pressure"};
-    const Names of_first_order  = {"lateral_force",
-                                   "least_vertical_force",
-                                   "t_gamma",
-                                   "stick_fraction",
-                                   "max_shear_traction",
-                                   "max_von_mises",
-                                   "von_mises_below_cell",
-                                   "von_mises_on_way",
-                                   "max_plastic_strain",
-                                   "rail_plastic_strain",
-                                   "plastic_strain_on_way",
-                                   "max_residual_von_mises",
-                                   "residual_forward_flow"};
+    const Names of_second_order = split_list(
+      "max_pressure, max_pressure_fitted, contact_area, patch_lateral, patch_longitudinal, "
+      "largest_vertical_force, first_rail_force, second_rail_force, impact_factor, largest_pad_force, "
+      "largest_pad_pull, largest_pressure");
+    const Names of_first_order = split_list(
+      "lateral_force, least_vertical_force, t_gamma, stick_fraction, max_shear_traction, max_von_mises, "
+      "von_mises_below_cell, von_mises_on_way, max_plastic_strain, rail_plastic_strain, "
+      "plastic_strain_on_way, max_residual_von_mises, residual_forward_flow");
 
     bool
     knows(const Contributions &contributions, const std::string &result)
@@ -156,7 +140,7 @@ namespace wheelrail
     const auto differ = [&](const Names &names, const int order, Contributions &contributions) {
       // c of (5)
       const double by_chance = order == 1 ? 0.5 : 0.1;
-      for (const char *name : names)
+      for (const std::string &name : names)
         {
           const Figure &figure = figure_named(name);
           const double  value = get_figure(run, figure.key()), other = get_figure(coarser, figure.key()),

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/damage/wear_figures.h>
 
 #include <algorithm>
@@ -8,13 +9,9 @@ namespace wheelrail
   const std::vector<std::string> &
   worst_wear_keys()
   {
-    static const std::vector<std::string> keys = {"t_gamma_over_area_N_per_m2",
-                                                  "usfd_wear_rate_kg_per_m3",
-                                                  "burstow_damage",
-                                                  "utilised_friction",
-                                                  "fatigue_index",
-                                                  "shakedown_load",
-                                                  "archard_depth_m"};
+    static const std::vector<std::string> keys = split_list(
+      "t_gamma_over_area_N_per_m2, usfd_wear_rate_kg_per_m3, burstow_damage, utilised_friction, "
+      "fatigue_index, shakedown_load, archard_depth_m");
     return keys;
   }
 

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/study_cases.h>
 #include <wheelrail/input/without_effect.h>
@@ -23,76 +24,26 @@ namespace wheelrail
       });
     }
 
-    const Names profiles_in_track = {"Profiles",
-                                     "Track/Gauge",
-                                     "Track/Gauge height",
-                                     "Track/Rail inclination",
-                                     "Wheelset/Nominal rolling radius",
-                                     "Wheelset/Flange back distance",
-                                     "Wheelset/Side",
-                                     "Wheelset/Wheels",
-                                     "Wheelset/Lateral shift",
-                                     "Wheelset/Roll",
-                                     "Wheelset/Yaw",
-                                     "Wheelset/Rim width",
-                                     "Wheelset/Motion",
-                                     "Wheelset/Motion start"};
-    const Names one_steel         = {"Rail material", "Wheel material", "Material test", "Output/Folder"};
-    const Names wear_plan         = {"Wear/Mix",
-                                     "Wear/Worn",
-                                     "Wear/Gross load",
-                                     "Wear/Distance",
-                                     "Wear/Smoothing length",
-                                     "Wear/Step depth",
-                                     "Wear/Line length",
-                                     "Wear/Wheels",
-                                     "Wear/Grind *",
-                                     "Wear/Turn *"};
-    const Names of_halfspaces     = {"Half-space/Friction memory*",
-                                     "Half-space/Interface layer*",
-                                     "Half-space/Given spin",
-                                     "Half-space/Lateral offset",
-                                     "Half-space/Extra inclination",
-                                     "Half-space/Undeformed distance"};
-    const Names of_runs           = {"Mesh/Fine *",
-                                     "Mesh/Planned *",
-                                     "Mesh/Prepared distance",
-                                     "Mesh/Window",
-                                     "Mesh/Behind the wheel",
-                                     "Mesh/Element",
-                                     "Mesh/Rail element",
-                                     "Mesh/Wheel element",
-                                     "Run/Rolling distance",
-                                     "Run/Longest distance",
-                                     "Run/Standard error",
-                                     "Run/Error estimate",
-                                     "Run/Pass*",
-                                     "Run/Most passages",
-                                     "Run/Settled *",
-                                     "Run/Next wheel",
-                                     "Run/Staggered starts",
-                                     "Run/Rail",
-                                     "Run/Averaging distance",
-                                     "Run/Evaluate at",
-                                     "Run/Start",
-                                     "Run/Time step factor",
-                                     "Run/Bulk viscosity",
-                                     "Run/Energy limit",
-                                     "Output/Ticks",
-                                     "Output/Volume fields",
-                                     "Output/Checkpoint interval",
-                                     "Contact/Penalty scale",
-                                     "Contact/Surface filter",
-                                     "Contact/Damping",
-                                     "Track/Support",
-                                     "Track/Sleeper *",
-                                     "Track/First sleeper",
-                                     "Track/Pad *",
-                                     "Track/Ballast *",
-                                     "Track/Damped ends",
-                                     "Track/Rail length",
-                                     "Wheelset/Suspension *",
-                                     "Wheelset/Axle pitch inertia"};
+    const Names profiles_in_track = split_list(
+      "Profiles, Track/Gauge, Track/Gauge height, Track/Rail inclination, Wheelset/Nominal rolling radius, "
+      "Wheelset/Flange back distance, Wheelset/Side, Wheelset/Wheels, Wheelset/Lateral shift, Wheelset/Roll, "
+      "Wheelset/Yaw, Wheelset/Rim width, Wheelset/Motion, Wheelset/Motion start");
+    const Names one_steel = {"Rail material", "Wheel material", "Material test", "Output/Folder"};
+    const Names wear_plan = split_list(
+      "Wear/Mix, Wear/Worn, Wear/Gross load, Wear/Distance, Wear/Smoothing length, Wear/Step depth, "
+      "Wear/Line length, Wear/Wheels, Wear/Grind *, Wear/Turn *");
+    const Names of_halfspaces = split_list(
+      "Half-space/Friction memory*, Half-space/Interface layer*, Half-space/Given spin, Half-space/Lateral "
+      "offset, Half-space/Extra inclination, Half-space/Undeformed distance");
+    const Names of_runs = split_list(
+      "Mesh/Fine *, Mesh/Planned *, Mesh/Prepared distance, Mesh/Window, Mesh/Behind the wheel, "
+      "Mesh/Element, Mesh/Rail element, Mesh/Wheel element, Run/Rolling distance, Run/Longest distance, "
+      "Run/Standard error, Run/Error estimate, Run/Pass*, Run/Most passages, Run/Settled *, Run/Next wheel, "
+      "Run/Staggered starts, Run/Rail, Run/Averaging distance, Run/Evaluate at, Run/Start, Run/Time step "
+      "factor, Run/Bulk viscosity, Run/Energy limit, Output/Ticks, Output/Volume fields, Output/Checkpoint "
+      "interval, Contact/Penalty scale, Contact/Surface filter, Contact/Damping, Track/Support, "
+      "Track/Sleeper *, Track/First sleeper, Track/Pad *, Track/Ballast *, Track/Damped ends, Track/Rail "
+      "length, Wheelset/Suspension *, Wheelset/Axle pitch inertia");
 
     Names
     together(Names a, const Names &b)
@@ -122,17 +73,12 @@ namespace wheelrail
         return !is_among(entry, of_runs);
       if (command == "run")
         return !is_among(entry, together(of_halfspaces, wear_plan));
-      return !is_among(entry,
-                       together(wear_plan,
-                                {"Wear",
-                                 "Half-space",
-                                 "Irregularity *",
-                                 "Contact/Friction *",
-                                 "Wheelset/Velocity",
-                                 "Wheelset/Drive",
-                                 "Wheelset/Traction coefficient",
-                                 "Wheelset/Creepage",
-                                 "Wheelset/Lateral creepage"}));
+      return !is_among(
+        entry,
+        together(wear_plan,
+                 split_list(
+                   "Wear, Half-space, Irregularity *, Contact/Friction *, Wheelset/Velocity, Wheelset/Drive, "
+                   "Wheelset/Traction coefficient, Wheelset/Creepage, Wheelset/Lateral creepage")));
     }
 
     /// Entries that another one leaves without effect.
@@ -189,13 +135,8 @@ namespace wheelrail
          [](S s) { return std::isfinite(s.wheel_material.yield_stress); },
          "Wheel material",
          "Yield stress"},
-        {{"Half-space/Radius *",
-          "Half-space/Normal force",
-          "Half-space/Approach",
-          "Half-space/Contact angle",
-          "Half-space/Wheel roller *",
-          "Half-space/Rail roller *",
-          "Half-space/Roller width"},
+        {split_list("Half-space/Radius *, Half-space/Normal force, Half-space/Approach, Half-space/Contact "
+                    "angle, Half-space/Wheel roller *, Half-space/Rail roller *, Half-space/Roller width"),
          [](S s) { return s.halfspace_distance == "profiles"; },
          "Half-space",
          "Undeformed distance"},

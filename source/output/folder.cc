@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/folder_lock.h>
@@ -22,24 +23,10 @@ namespace wheelrail
     {
       const fs::path    whole = path.extension() == ".part" ? path.stem() : path.filename();
       const std::string name = whole.string(), ending = whole.extension().string();
-      for (const char *own : {"summary.json",
-                              "figures.json",
-                              "log.txt",
-                              "history.h5",
-                              "patch_history.h5",
-                              "patch.h5",
-                              "halfspace.h5",
-                              "halfspace_slices.h5",
-                              "compare.json",
-                              "compare.html",
-                              "residual.h5",
-                              "slices.h5",
-                              "report.html",
-                              "rail.h5",
-                              "passages.csv",
-                              "passages.h5",
-                              "input.prm",
-                              "parameters.prm"})
+      for (const std::string &own : split_list(
+             "summary.json, figures.json, log.txt, history.h5, patch_history.h5, patch.h5, halfspace.h5, "
+             "halfspace_slices.h5, compare.json, compare.html, residual.h5, slices.h5, report.html, rail.h5, "
+             "passages.csv, passages.h5, input.prm, parameters.prm"))
         if (name == own)
           return true;
       return ending == ".vtu" || ending == ".pvd" || name.rfind("checkpoint", 0) == 0 ||
@@ -285,23 +272,15 @@ namespace wheelrail
   void
   remove_earlier_results(const std::filesystem::path &folder)
   {
-    constexpr const char *names[] = {"summary.json",
-                                     "figures.json",
-                                     "halfspace.h5",
-                                     "slices.h5",
-                                     "wear.csv",
-                                     "intervals.csv",
-                                     "sections.json",
-                                     "report.html",
-                                     "wheelset.csv",
-                                     "wheelset.html",
-                                     "parameters.prm"};
-    std::error_code       ignored; // what cannot be removed shows when it is written anew
+    const auto names = split_list(
+      "summary.json, figures.json, halfspace.h5, slices.h5, wear.csv, intervals.csv, sections.json, "
+      "report.html, wheelset.csv, wheelset.html, parameters.prm");
+    std::error_code ignored; // what cannot be removed shows when it is written anew
     for (const fs::path &part : {folder / "left", folder / "right", folder})
       if (fs::exists(part / "parameters.prm"))
         {
           std::vector<fs::path> own;
-          for (const char *name : names)
+          for (const std::string &name : names)
             own.push_back(part / name);
           for (const auto &entry : fs::directory_iterator(part))
             if (entry.path().filename().string().rfind("halfspace_patch_", 0) == 0)

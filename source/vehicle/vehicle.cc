@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/shift_effect.h>
@@ -34,15 +35,10 @@ namespace wheelrail
       summary.max_shear_traction = 0;
       summary.contact_area       = 0;
       summary.velocity           = scene.velocity;
-      for (const char *key : {"t_gamma_N",
-                              "frictional_power_W",
-                              "wheelset_longitudinal_force_N",
-                              "wheelset_lateral_force_N",
-                              "tangential_lateral_force_N",
-                              "drive_torque_Nm",
-                              "yaw_moment_Nm",
-                              "reference_spin_moment_Nm",
-                              "area_of_whole_elements_m2"})
+      for (const std::string &key :
+           split_list("t_gamma_N, frictional_power_W, wheelset_longitudinal_force_N, "
+                      "wheelset_lateral_force_N, tangential_lateral_force_N, drive_torque_Nm, yaw_moment_Nm, "
+                      "reference_spin_moment_Nm, area_of_whole_elements_m2"))
         set_figure(summary, key, 0);
       return summary;
     }

@@ -11,15 +11,10 @@ namespace wheelrail
   const std::vector<std::string> &
   axle_keys()
   {
-    static const std::vector<std::string> keys = {"axle_pitch_rate_rad_per_s",
-                                                  "axle_torque_Nm",
-                                                  "axle_lateral_force_N",
-                                                  "axle_yaw_moment_Nm",
-                                                  "axle_prudhomme_limit_N",
-                                                  "axle_load_N",
-                                                  "axle_lateral_shift_m",
-                                                  "axle_yaw_rad",
-                                                  "axle_unbalanced_acceleration_m_per_s2"};
+    static const std::vector<std::string> keys = split_list(
+      "axle_pitch_rate_rad_per_s, axle_torque_Nm, axle_lateral_force_N, axle_yaw_moment_Nm, "
+      "axle_prudhomme_limit_N, axle_load_N, axle_lateral_shift_m, axle_yaw_rad, "
+      "axle_unbalanced_acceleration_m_per_s2");
     return keys;
   }
 
