@@ -5,6 +5,7 @@
 // the reader of such scenes.
 
 #include "check.h"
+#include "error_of.h"
 #include "scenes/block_motion.h"
 
 #include <wheelrail/base/errors.h>
@@ -118,15 +119,7 @@ namespace
   refused(const std::string &path, const std::string &mesh, const std::string &what)
   {
     std::ofstream(path + ".msh") << mesh;
-    try
-      {
-        read_block(path);
-      }
-    catch (const wheelrail::InputError &problem)
-      {
-        return std::string(problem.what()).find(what) != std::string::npos;
-      }
-    return false;
+    return test::error_of<wheelrail::InputError>([&]() { read_block(path); }).find(what) != std::string::npos;
   }
 
   void

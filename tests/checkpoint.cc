@@ -4,12 +4,13 @@
 // All start from one static start: a second one in the same process agrees within its tolerance only.
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
-#include <wheelrail/state/checkpoint_files.h>
 
+#include "error_of.h"
 #include "parallel.h"
 #include "read_output.h"
 #include "small_scene.h"
@@ -43,15 +44,7 @@ namespace
   std::string
   error_of(const Scene &scene, const bool resume)
   {
-    try
-      {
-        run(scene, resume);
-      }
-    catch (const Error &error)
-      {
-        return error.what();
-      }
-    return "no error";
+    return test::error_of<Error>([&]() { run(scene, resume); });
   }
 
   /// Rank 0 changes files while the others wait.
@@ -83,17 +76,10 @@ namespace
     check(!a.columns.empty() && a.columns[0].size() > 50 && a.columns == b.columns,
           what + ": the same history");
     const Summary s = read_summary(one_go + "/summary.json"), t = read_summary(gone_on + "/summary.json");
-    for (const char *key : {"normal_force_N",
-                            "longitudinal_force_N",
-                            "max_pressure_Pa",
-                            "contact_area_m2",
-                            "creepage",
-                            "stick_fraction",
-                            "max_von_mises_Pa",
-                            "rolled_distance_m",
-                            "time_steps",
-                            "energy_error",
-                            "relative_roll_rad"})
+    for (const std::string &key :
+         split_list("normal_force_N, longitudinal_force_N, max_pressure_Pa, contact_area_m2, creepage, "
+                    "stick_fraction, max_von_mises_Pa, rolled_distance_m, time_steps, energy_error, "
+                    "relative_roll_rad"))
       check(get_figure(s, key) == get_figure(t, key), what + ": the same " + key);
     check(s.finished && t.finished, what + ": both have finished");
     for (unsigned int tick = 0; tick < 5; ++tick)

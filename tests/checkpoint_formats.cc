@@ -7,6 +7,7 @@
 #include <wheelrail/state/checkpoint.h>
 
 #include "check.h"
+#include "error_of.h"
 
 #include <cstdint>
 #include <string>
@@ -51,15 +52,7 @@ namespace
   std::string
   refusal(const std::string &bytes, void (*change)(hid_t))
   {
-    try
-      {
-        checkpoint_from_bytes(changed(bytes, change));
-      }
-    catch (const RunError &refused)
-      {
-        return refused.what();
-      }
-    return "";
+    return test::error_of<RunError>([&]() { checkpoint_from_bytes(changed(bytes, change)); });
   }
 } // namespace
 

@@ -8,13 +8,13 @@
 #include <wheelrail/state/checkpoint.h>
 
 #include "checkpoint_everywhere.h"
+#include "error_of.h"
 #include "parallel.h"
 #include "small_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using namespace test;
@@ -200,15 +200,8 @@ main(int argc, char **argv)
   check(!is_finite(broken, MPI_COMM_WORLD), "a value that is not finite is seen on all ranks");
   Checkpoint other = whole;
   other.node_values["position"].values[4] += 1e-6;
-  std::string error;
-  try
-    {
-      restore_checkpoint(other, alone.model, alone.rolling, alone.recorder, MPI_COMM_SELF);
-    }
-  catch (const InputError &refused)
-    {
-      error = refused.what();
-    }
+  const std::string error = test::error_of<InputError>(
+    [&]() { restore_checkpoint(other, alone.model, alone.rolling, alone.recorder, MPI_COMM_SELF); });
   check(error.find("the mesh is not that of the saved state") != std::string::npos,
         "another mesh is refused");
   return parallel.report();

@@ -3,10 +3,10 @@
 // Cases of basic contact (module 3) of CONTACT, solved: against the rows and the stresses that CONTACT
 // prints; sequences of cases.
 
+#include "error_of.h"
 #include "reference_table.h"
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/solve_cases.h>
 
@@ -96,17 +96,11 @@ namespace
     check(centres.x == std::vector<double>{0, 2} && centres.y == std::vector<double>{1} &&
             centres.z == std::vector<double>{0, 1e-3},
           "ISUBS = 2: first, step and last index");
-    try
-      {
-        point_block({3, {1, 1, 4, 1, 1}, {}, {}, {0}, 1}, grid);
-        check(false, "an index outside of the grid");
-      }
-    catch (const InputError &error)
-      {
-        check_text(error.what(),
-                   "points below the surface: the index 4 lies outside of the grid, which has 1 to 3",
-                   "an index outside of the grid");
-      }
+    check_text(test::error_of<InputError>([&]() {
+                 point_block({3, {1, 1, 4, 1, 1}, {}, {}, {0}, 1}, grid);
+               }),
+               "points below the surface: the index 4 lies outside of the grid, which has 1 to 3",
+               "an index outside of the grid");
     check_near(above.principal[0] + above.principal[1] + above.principal[2],
                3 * above.mean(),
                1e-6 * std::abs(above.mean()),

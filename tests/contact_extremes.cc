@@ -2,6 +2,7 @@
 // their size beside and inside the patch.
 
 #include "check.h"
+#include "error_of.h"
 #include "scenes/hertz_scene.h"
 #include "scenes/rolling_pair.h"
 
@@ -222,16 +223,10 @@ namespace
   holes()
   {
     const RunningSurfaces surfaces = wheel_on_plane(0.92, 0.6, 30e-3);
-    std::string           message;
-    try
-      {
-        make_surface(
-          TwoSizes::mesh(4e-3), Body::rail, surfaces, TwoSizes::lattice(TwoSizes::across), MPI_COMM_SELF);
-      }
-    catch (const RunError &error)
-      {
-        message = error.what();
-      }
+    const std::string     message  = test::error_of<RunError>([&]() {
+      make_surface(
+        TwoSizes::mesh(4e-3), Body::rail, surfaces, TwoSizes::lattice(TwoSizes::across), MPI_COMM_SELF);
+    });
     check(message.find("the fine zone of the rail has a hole at station") != std::string::npos,
           "coarse cells under the lattice are refused: " + message);
   }

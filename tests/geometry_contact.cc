@@ -2,6 +2,7 @@
 // modes, profiles in the contact frame, interpenetration, refused shifts.
 
 #include "check.h"
+#include "error_of.h"
 #include "reference_table.h"
 
 #include <wheelrail/application/geometry_command.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <vector>
 
 using namespace wheelrail;
 using namespace test;
@@ -189,19 +189,13 @@ namespace
   void
   refused(const double shift, const RollMode mode)
   {
-    try
-      {
-        find_contact(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), {shift, mode});
-        check(false, "a shift of " + std::to_string(1e3 * shift) + " mm is refused");
-      }
-    catch (const InputError &e)
-      {
-        const std::string  text = e.what();
-        std::ostringstream number;
-        number << 1e3 * shift << " mm";
-        check(text.find(number.str()) != std::string::npos && text.find("are possible") != std::string::npos,
-              text);
-      }
+    const std::string  text = test::error_of<InputError>([&]() {
+      find_contact(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), {shift, mode});
+    });
+    std::ostringstream number;
+    number << 1e3 * shift << " mm";
+    check(text.find(number.str()) != std::string::npos && text.find("are possible") != std::string::npos,
+          "a shift of " + number.str() + " is refused: " + text);
   }
 
   void

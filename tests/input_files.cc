@@ -4,10 +4,12 @@
 // Parameter files as texts: syntax, the ready scenes, and the command line that reads them.
 
 #include "check.h"
+#include "error_of.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/left_out.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
@@ -95,28 +97,21 @@ namespace
       for (const auto &file : std::filesystem::directory_iterator(source / folder))
         if (file.path().extension() == ".prm" && !of_subject_left_out(file.path()))
           {
-            const std::string name = folder + ("/" + file.path().filename().string());
-            std::string       message;
-            try
-              {
-                SceneInput input = read_scene(file.path().string(), {});
-                check(input.origin.count("Wheelset/Traction coefficient") == 1,
-                      name + " states its traction");
-                if (folder == std::string("prm"))
-                  {
-                    // a whole wheelset is no run; one of its wheels is
-                    if (input.scene.both_wheels)
-                      {
-                        check(contact_checks(input.scene).errors.empty(), name + " is valid as a wheelset");
-                        leave_wheelset(input.scene);
-                      }
-                    require_computable(input);
-                  }
-              }
-            catch (const InputError &error)
-              {
-                message = error.what();
-              }
+            const std::string name    = folder + ("/" + file.path().filename().string());
+            const std::string message = test::error_of<InputError>([&]() {
+              SceneInput input = read_scene(file.path().string(), {});
+              check(input.origin.count("Wheelset/Traction coefficient") == 1, name + " states its traction");
+              if (folder == std::string("prm"))
+                {
+                  // a whole wheelset is no run; one of its wheels is
+                  if (input.scene.both_wheels)
+                    {
+                      check(contact_checks(input.scene).errors.empty(), name + " is valid as a wheelset");
+                      leave_wheelset(input.scene);
+                    }
+                  require_computable(input);
+                }
+            });
             check_text(message, "", name + " is valid");
           }
   }
@@ -228,17 +223,11 @@ namespace
                "support: foot and ends of the rail clamped; cells: of 1 mm; ",
                "the main scene in words");
     check_text(
-      head({"Wheelset/Side = left",
-            "Profiles/Rail = measured/a.ban",
-            "Track/Rail inclination = 0",
-            "Wheelset/Lateral shift = -2.5 mm",
-            "Wheelset/Yaw = 5 mrad",
-            "Wheelset/Roll = from contact",
-            "Wheelset/Lateral creepage = 0.001",
-            "Wheelset/Traction coefficient = 0",
-            "Contact/Friction law = exponential",
-            "Rail material/Yield stress = 480 MPa",
-            "Mesh/Solution cell size = 2 mm"}),
+      head(split_list(
+        "Wheelset/Side = left, Profiles/Rail = measured/a.ban, Track/Rail inclination = 0, Wheelset/Lateral "
+        "shift = -2.5 mm, Wheelset/Yaw = 5 mrad, Wheelset/Roll = from contact, Wheelset/Lateral creepage = "
+        "0.001, Wheelset/Traction coefficient = 0, Contact/Friction law = exponential, Rail material/Yield "
+        "stress = 480 MPa, Mesh/Solution cell size = 2 mm")),
       "wheel and rail: left S1002 wheel on a.ban rail, inclination 0; "
       "running: wheel load 103.2 kN, 140 km/h, lateral shift -2.5 mm, yaw 5 mrad, roll from contact, "
       "lateral creepage 0.1 %; "

@@ -8,6 +8,7 @@
 #include <wheelrail/mesh/wheel_section.h>
 
 #include "check.h"
+#include "error_of.h"
 #include "section_properties.h"
 #include "section_quality.h"
 
@@ -354,28 +355,17 @@ namespace
     const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), {0, RollMode::none});
     const FineStrip       good{contact.frame, {-0.01, 0.006}}, wide{contact.frame, {-0.09, 0.006}};
 
-    const auto refused = [](const std::function<void()> &action) {
-      try
-        {
-          action();
-        }
-      catch (const InputError &error)
-        {
-          std::cout << "        " << error.what() << std::endl;
-          return true;
-        }
-      return false;
+    const auto check_refused = [](const std::function<void()> &action, const std::string &what) {
+      const std::string error = test::error_of<InputError>(action);
+      test::check(!error.empty(), what + ": " + error);
     };
     WheelDimensions thin, hub;
     thin.rim_width       = 0.1;
     hub.hub_outer_radius = 0.38;
-    test::check(refused([&] { make_rail_section(rail, contact.rail, wide, 0.016); }),
-                "strip wider than the head");
-    test::check(refused([&] { make_rail_section(rail, contact.rail, good, 0); }), "block size zero");
-    test::check(refused([&] { make_wheel_section(wheel, thin, contact.wheel, good, 0.016); }),
-                "rim too narrow");
-    test::check(refused([&] { make_wheel_section(wheel, hub, contact.wheel, good, 0.016); }),
-                "hub too large");
+    check_refused([&] { make_rail_section(rail, contact.rail, wide, 0.016); }, "strip wider than the head");
+    check_refused([&] { make_rail_section(rail, contact.rail, good, 0); }, "block size zero");
+    check_refused([&] { make_wheel_section(wheel, thin, contact.wheel, good, 0.016); }, "rim too narrow");
+    check_refused([&] { make_wheel_section(wheel, hub, contact.wheel, good, 0.016); }, "hub too large");
   }
 } // namespace
 

@@ -15,6 +15,7 @@
 #include <wheelrail/sampling/patch_measures.h>
 
 #include "check.h"
+#include "error_of.h"
 #include "hertz_patch.h"
 #include "read_output.h"
 
@@ -27,7 +28,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <utility>
@@ -171,16 +171,10 @@ namespace
     small.rlim_cur      = 10000;
     std::signal(SIGXFSZ, SIG_IGN);
     setrlimit(RLIMIT_FSIZE, &small);
-    std::string message;
-    try
-      {
-        TickFile file(folder + "/patch.h5", true, 3);
-        append_patch(file, patch);
-      }
-    catch (const RunError &error)
-      {
-        message = error.what();
-      }
+    const std::string message = test::error_of<RunError>([&]() {
+      TickFile file(folder + "/patch.h5", true, 3);
+      append_patch(file, patch);
+    });
     setrlimit(RLIMIT_FSIZE, &old);
     check(message.find("patch.h5\" cannot be written: File too large") != std::string::npos,
           "a file that cannot grow is named with the reason [" + message + "]");

@@ -10,6 +10,7 @@
 #include <wheelrail/solid/kernel.h>
 #include <wheelrail/state/rail_state.h>
 
+#include "error_of.h"
 #include "parallel.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
@@ -135,21 +136,13 @@ namespace
     fs::remove_all(parts.folder);
     check(run(parts, false, 40) == 3, "interrupted in the first passage");
     check(run(parts, true, 40) == 3, "gone on, and interrupted in the second");
-    try
-      {
-        RunOptions options;
-        options.prm_text        = "# a test\n";
-        options.parameters_text = print_parameters(parts);
-        run_scene(parts, make_geometry(parts), options);
-        check(false, "begun passages are protected");
-      }
-    catch (const InputError &error)
-      {
-        check_text(error.what(),
-                   "Output/Folder = passages_parts: the folder holds passages of an earlier run; --resume "
-                   "continues them, --overwrite starts anew",
-                   "begun passages are protected");
-      }
+    RunOptions options;
+    options.prm_text        = "# a test\n";
+    options.parameters_text = print_parameters(parts);
+    check_text(test::error_of<InputError>([&]() { run_scene(parts, make_geometry(parts), options); }),
+               "Output/Folder = passages_parts: the folder holds passages of an earlier run; --resume "
+               "continues them, --overwrite starts anew",
+               "begun passages are protected");
     check(run(parts, true) == 0, "gone on to the end");
     for (unsigned int k = 1; k <= 3; ++k)
       for (const char *key :
@@ -160,17 +153,8 @@ namespace
                    "the same " + std::string(key) + " of passage " + std::to_string(k));
 
     parts.velocity = 30;
-    std::string told;
-    try
-      {
-        run(parts, true);
-      }
-    catch (const InputError &error)
-      {
-        told = error.what();
-      }
     check_text(
-      told,
+      test::error_of<InputError>([&]() { run(parts, true); }),
       "passages_parts/passage_001: this passage was computed with other entries: Wheelset/Velocity = "
       "108 km/h, saved with 140 km/h; set them back, or start anew with --overwrite or in another "
       "Output/Folder",
@@ -237,16 +221,8 @@ namespace
     fs::remove_all(family.folder);
     run(family, false);
     fs::remove_all(passage_folder(family.folder, 2));
-    family.energy_limit = 1e-9;
-    std::string told;
-    try
-      {
-        run(family, true);
-      }
-    catch (const RunError &error)
-      {
-        told = error.what();
-      }
+    family.energy_limit    = 1e-9;
+    const std::string told = test::error_of<RunError>([&]() { run(family, true); });
     check(told.rfind("passage 2: the run stopped: ", 0) == 0 &&
             told.find("; the 1 before it are kept, with their results in passages_stopped/passages.csv") !=
               std::string::npos,
@@ -257,15 +233,7 @@ namespace
   std::string
   fault(const Scene &of)
   {
-    try
-      {
-        run(of, false);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return test::error_of<InputError>([&]() { run(of, false); });
   }
 
   void

@@ -3,16 +3,15 @@
 // Profile files as measuring devices and multibody programs leave them: each kind of oddity is read, told,
 // and gives the profile that was measured.
 
+#include "error_of.h"
 #include "read_profiles.h"
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/profiles/measured_profiles.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using test::check;
@@ -291,17 +290,9 @@ namespace
     ProfileFileOptions options;
     options.kind            = ProfileKind::wheel;
     options.turn            = ProfileMirror::yes;
-    Points      turned      = sampled(S1002(), 0.5e-3, 0, 1);
-    const auto  read_turned = [&]() { return read_profile_text(columns(turned), "p.txt", options).notes; };
-    std::string fault;
-    try
-      {
-        read_turned();
-      }
-    catch (const InputError &error)
-      {
-        fault = error.what();
-      }
+    Points     turned       = sampled(S1002(), 0.5e-3, 0, 1);
+    const auto read_turned  = [&]() { return read_profile_text(columns(turned), "p.txt", options).notes; };
+    const std::string fault = test::error_of<InputError>([&]() { read_turned(); });
     check(fault.find("no wheel profile") != std::string::npos,
           "a wheel turned over by hand that hangs right");
     for (Point2 &p : turned)

@@ -2,6 +2,7 @@
 
 // Numbers with units: every unit, round trips, and what is refused.
 #include "check.h"
+#include "error_of.h"
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
@@ -144,15 +145,8 @@ namespace
     };
     for (const Refused &c : cases)
       {
-        std::string message = "nothing was thrown";
-        try
-          {
-            parse_quantity(c.text, c.dimension);
-          }
-        catch (const InputError &error)
-          {
-            message = error.what();
-          }
+        const std::string message =
+          test::error_of<InputError>([&]() { parse_quantity(c.text, c.dimension); });
         check_text(message, c.message, std::string("refused: \"") + c.text + "\"");
       }
   }

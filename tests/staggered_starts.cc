@@ -13,6 +13,7 @@
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/staggered_starts.h>
 
+#include "error_of.h"
 #include "parallel.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
@@ -21,7 +22,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using namespace test;
@@ -69,15 +69,8 @@ namespace
     check(StaggeredStarts(one, geometry).offset(2) == 0, "one where the fine cells do not move");
     one.window           = MeshWindow::moving;
     one.staggered_starts = 9;
-    std::string said;
-    try
-      {
-        const StaggeredStarts too_many(one, geometry);
-      }
-    catch (const InputError &error)
-      {
-        said = error.what();
-      }
+    const std::string said =
+      test::error_of<InputError>([&]() { const StaggeredStarts too_many(one, geometry); });
     check_text(
       said,
       "Run/Staggered starts = 9: each start lies " + rounded_mm(step) +
@@ -109,15 +102,8 @@ namespace
     one.start_offset            = 0;
     one.staggered_starts        = 2;
     one.irregularities[0].place = 35e-3;
-    std::string said;
-    try
-      {
-        const StaggeredStarts on_it(one, make_geometry(one));
-      }
-    catch (const InputError &error)
-      {
-        said = error.what();
-      }
+    const std::string said =
+      test::error_of<InputError>([&]() { const StaggeredStarts on_it(one, make_geometry(one)); });
     check(said.find("Run/Staggered starts = 2: a start ") == 0 &&
             said.find("farther along: Irregularity 1/Place = 35 mm: the wheel starts on the rail") !=
               std::string::npos,
