@@ -2,90 +2,32 @@
 
 // The reduced hexahedron: patch test, rigid motion, exact gradient of its energy, widths, linearisation.
 
-#include <wheelrail/solid/kernel.h>
-
 #include "check.h"
+#include "explicit_brick.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <random>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
-using Vector = std::array<double, 3>;
+using test::largest;
+using test::Mesh;
+using test::nodal;
+using test::Vector;
 
 namespace
 {
-  /// A block of n^3 unit cells with its inner vertices moved at random.
-  struct Block
+  /// A unit cube of n^3 cells with its inner vertices moved at random.
+  Mesh
+  distorted_block(const int n, const double amount)
   {
-    std::vector<Vector>                      vertices;
-    std::vector<std::array<unsigned int, 8>> cells;
-    std::vector<ElementGeometry>             geometry;
-  };
-
-  Block
-  distorted_block(const unsigned int n, const double amount)
-  {
-    Block                                  block;
-    std::mt19937                           random(7);
-    std::uniform_real_distribution<double> shift(-amount, amount);
-    const auto                             number = [n](unsigned int i, unsigned int j, unsigned int k) {
-      return i + (n + 1) * (j + (n + 1) * k);
-    };
-    for (unsigned int k = 0; k <= n; ++k)
-      for (unsigned int j = 0; j <= n; ++j)
-        for (unsigned int i = 0; i <= n; ++i)
-          {
-            Vector X = {double(i) / n, double(j) / n, double(k) / n};
-            for (auto &x : X)
-              x += shift(random) / n;
-            block.vertices.push_back(X);
-          }
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int j = 0; j < n; ++j)
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            std::array<unsigned int, 8> cell;
-            std::array<Vector, 8>       X;
-            for (unsigned int a = 0; a < 8; ++a)
-              {
-                cell[a] = number(i + (a & 1), j + (a >> 1 & 1), k + (a >> 2));
-                X[a]    = block.vertices[cell[a]];
-              }
-            block.cells.push_back(cell);
-            block.geometry.push_back(element_geometry(X));
-          }
-    return block;
+    return test::brick({n, n, n}, {1, 1, 1}, amount);
   }
 
   AlignedVector<double>
-  nodal(const Block &block, const std::function<Vector(const Vector &)> &field)
-  {
-    AlignedVector<double> u(4 * block.vertices.size(), 0.);
-    for (std::size_t n = 0; n < block.vertices.size(); ++n)
-      {
-        const Vector value = field(block.vertices[n]);
-        for (int i = 0; i < 3; ++i)
-          u[4 * n + i] = value[i];
-      }
-    return u;
-  }
-
-  double
-  largest(const AlignedVector<double> &v)
-  {
-    double m = 0;
-    for (const double x : v)
-      m = std::max(m, std::abs(x));
-    return m;
-  }
-
-  AlignedVector<double>
-  internal_force(const Block &block, const AlignedVector<double> &u, const int width, ElementEnergy &energy)
+  internal_force(const Mesh &block, const AlignedVector<double> &u, const int width, ElementEnergy &energy)
   {
     ElementBlocks         blocks = pack_elements(block.geometry, block.cells, Elasticity(), width);
     AlignedVector<double> f(u.size(), 0.);
@@ -98,7 +40,7 @@ namespace
   void
   patch_test()
   {
-    const Block   block  = distorted_block(3, 0.25);
+    const Mesh    block  = distorted_block(3, 0.25);
     const auto    u      = nodal(block, [](const Vector &X) -> Vector {
       return {1e-3 * X[0] + 2e-3 * X[1], -1e-3 * X[1] + 5e-4 * X[2], 3e-4 * X[0] + 1e-3 * X[2]};
     });
@@ -125,7 +67,7 @@ namespace
   void
   rigid_rotation()
   {
-    const Block   block  = distorted_block(3, 0.25);
+    const Mesh    block  = distorted_block(3, 0.25);
     const double  angle  = 10 * 2 * M_PI + 1;
     const auto    u      = nodal(block, [angle](const Vector &X) -> Vector {
       return {5,
@@ -146,7 +88,7 @@ namespace
   void
   energy_gradient()
   {
-    const Block                            block = distorted_block(2, 0.25);
+    const Mesh                             block = distorted_block(2, 0.25);
     std::mt19937                           random(3);
     std::uniform_real_distribution<double> value(-0.02, 0.02);
     const auto                             rotated = nodal(block, [&](const Vector &X) -> Vector {
@@ -197,7 +139,7 @@ namespace
   void
   widths_and_linearisation()
   {
-    const Block                            block = distorted_block(3, 0.2);
+    const Mesh                             block = distorted_block(3, 0.2);
     std::mt19937                           random(5);
     std::uniform_real_distribution<double> value(-1, 1);
     const auto                             u = nodal(block, [&](const Vector &) -> Vector {

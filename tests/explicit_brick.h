@@ -1,7 +1,8 @@
 #pragma once
 
-// Bricks of reduced hexahedra moved by hand, for the tests of plastic flow.
+// Bricks of reduced hexahedra moved by hand, for the tests of elements.
 
+#include <wheelrail/mesh/local_mesh.h>
 #include <wheelrail/solid/kernel.h>
 
 #include <algorithm>
@@ -63,6 +64,21 @@ namespace test
             mesh.geometry.push_back(element_geometry(X));
           }
     return mesh;
+  }
+
+  inline std::vector<ElementGeometry>
+  cell_geometry(const LocalMesh &mesh)
+  {
+    std::vector<ElementGeometry> geometry;
+    for (const auto &cell : mesh.cells)
+      {
+        std::array<Vector, 8> X;
+        for (int a = 0; a < 8; ++a)
+          for (int i = 0; i < 3; ++i)
+            X[a][i] = mesh.reference[4 * cell[a] + i];
+        geometry.push_back(element_geometry(X));
+      }
+    return geometry;
   }
 
   /// A body whose displacement is given.

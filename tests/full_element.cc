@@ -10,6 +10,7 @@
 #include <wheelrail/solid/full_element.h>
 
 #include "check.h"
+#include "explicit_brick.h"
 #include "scenes/dynamics.h"
 
 #include <algorithm>
@@ -20,25 +21,9 @@
 
 using namespace wheelrail;
 using namespace test;
-using Vector = std::array<double, 3>;
 
 namespace
 {
-  std::vector<ElementGeometry>
-  cell_geometry(const LocalMesh &mesh)
-  {
-    std::vector<ElementGeometry> geometry;
-    for (const auto &cell : mesh.cells)
-      {
-        std::array<Vector, 8> X;
-        for (int a = 0; a < 8; ++a)
-          for (int i = 0; i < 3; ++i)
-            X[a][i] = mesh.reference[4 * cell[a] + i];
-        geometry.push_back(element_geometry(X));
-      }
-    return geometry;
-  }
-
   /// Nodal values of a field of the reference coordinates, four numbers a node.
   AlignedVector<double>
   nodal_field(const LocalMesh &mesh, const std::function<Vector(const Vector &)> &field)
@@ -52,15 +37,6 @@ namespace
           values[4 * n + i] = value[i];
       }
     return values;
-  }
-
-  double
-  largest(const AlignedVector<double> &values)
-  {
-    double result = 0;
-    for (const double x : values)
-      result = std::max(result, std::abs(x));
-    return result;
   }
 
   /// A unit block of 8 coarse cells, one of them refined, inner vertices moved at random.

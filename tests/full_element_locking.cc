@@ -6,6 +6,7 @@
 #include <wheelrail/solid/element_blocks.h>
 
 #include "check.h"
+#include "explicit_brick.h"
 #include "scenes/shapes.h"
 
 #include <algorithm>
@@ -17,25 +18,9 @@
 
 using namespace wheelrail;
 using namespace test;
-using Vector = std::array<double, 3>;
 
 namespace
 {
-  std::vector<ElementGeometry>
-  cell_geometry(const LocalMesh &mesh)
-  {
-    std::vector<ElementGeometry> geometry;
-    for (const auto &cell : mesh.cells)
-      {
-        std::array<Vector, 8> X;
-        for (int a = 0; a < 8; ++a)
-          for (int i = 0; i < 3; ++i)
-            X[a][i] = mesh.reference[4 * cell[a] + i];
-        geometry.push_back(element_geometry(X));
-      }
-    return geometry;
-  }
-
   /// Determinant of the Jacobian at a Gauss point.
   double
   jacobian(const std::array<Vector, 8> &X, const int point)
