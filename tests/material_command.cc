@@ -1,14 +1,13 @@
 // The command material: paths from entries and files, tables, and what it says of faults.
 
 #include <wheelrail/application/material_command.h>
-#include <wheelrail/application/material_path.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/parameters.h>
 
 #include "check.h"
+#include "error_of.h"
 
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -41,15 +40,7 @@ namespace
   std::string
   fault(const MaterialTest &test)
   {
-    try
-      {
-        material_path(test);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return test::error_of<InputError>([&]() { material_path(test); });
   }
 
   MaterialTest
@@ -198,15 +189,7 @@ namespace
     const auto fault_of_run = [&](const std::string &entries, const SteelLaw law = SteelLaw::chaboche) {
       Scene scene             = scene_of(entries);
       scene.rail_material.law = law;
-      try
-        {
-          run_material_command(scene, false, out);
-        }
-      catch (const RunError &error)
-        {
-          return std::string(error.what());
-        }
-      return std::string();
+      return test::error_of<RunError>([&]() { run_material_command(scene, false, out); });
     };
     const std::string beyond = fault_of_run("  set Axial = 900 MPa\n");
     check(beyond.rfind("no strain gives the stresses that are asked for, ", 0) == 0 &&

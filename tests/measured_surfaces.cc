@@ -4,9 +4,7 @@
 
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/height_grid.h>
-#include <wheelrail/profiles/height_kinks.h>
 #include <wheelrail/profiles/height_noise.h>
 #include <wheelrail/wheel/irregular_places.h>
 

@@ -6,12 +6,11 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/application/geometry_picture.h>
-#include <wheelrail/application/material_path.h>
+#include <wheelrail/application/material_command.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/input/motion_file.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
 #include <wheelrail/profiles/profile_file.h>

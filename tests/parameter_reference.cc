@@ -6,7 +6,7 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/input/parameter_reference.h>
+#include <wheelrail/input/listing.h>
 #include <wheelrail/run/simulation.h>
 
 #include <fstream>

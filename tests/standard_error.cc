@@ -4,11 +4,12 @@
 // correlation; and means over whole cells.
 #include "check.h"
 
-#include <wheelrail/sampling/standard_error.h>
+#include <wheelrail/sampling/steadiness.h>
 
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

@@ -10,10 +10,8 @@
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/input/cross_checks.h>
-#include <wheelrail/input/entries.h>
 #include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/listing.h>
-#include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/coarser_cells.h>
