@@ -8,11 +8,9 @@
 
 #include <wheelrail/vehicle/axle_contact.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 
 using namespace wheelrail;
 using test::check;

@@ -7,7 +7,6 @@
 #include <wheelrail/input/parameters.h>
 
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using test::check_relative;

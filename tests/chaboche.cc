@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace wheelrail;

@@ -5,7 +5,6 @@
 #include "contact_inputs.h"
 #include "reference_table.h"
 
-#include <wheelrail/base/errors.h>
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/case_problem.h>
 #include <wheelrail/contactfiles/inp_file.h>
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 

@@ -14,7 +14,6 @@
 #include <fstream>
 #include <iostream>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using test::check;

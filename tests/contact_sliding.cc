@@ -7,7 +7,6 @@
 #include "scenes/contact.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 #include "check.h"
 
 #include <wheelrail/contactfiles/section_line.h>
-#include <wheelrail/profiles/smoothing_spline.h>
 #include <wheelrail/sections/cubic_spline.h>
 
 #include <cmath>

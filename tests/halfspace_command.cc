@@ -7,7 +7,6 @@
 #include "read_output.h"
 
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/base/errors.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/patch_measures.h>
 

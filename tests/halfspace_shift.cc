@@ -6,7 +6,6 @@
 #include "check.h"
 #include "quadratic_distance.h"
 
-#include <wheelrail/base/errors.h>
 #include <wheelrail/halfspace/influence.h>
 #include <wheelrail/halfspace/subsurface_layers.h>
 

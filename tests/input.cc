@@ -6,7 +6,6 @@
 #include "check.h"
 #include "other_values.h"
 
-#include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>

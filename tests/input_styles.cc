@@ -18,7 +18,6 @@
 #include <boost/property_tree/json_parser.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <sstream>
 #include <vector>

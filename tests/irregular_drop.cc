@@ -15,7 +15,6 @@
 #include <cmath>
 #include <iostream>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using namespace test;

@@ -3,7 +3,6 @@
 #include "messages.h"
 
 #include <wheelrail/geometry/roughness.h>
-#include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/profiles/roughness_file.h>
 

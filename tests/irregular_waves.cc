@@ -19,7 +19,6 @@
 #include <complex>
 #include <cstddef>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -7,7 +7,6 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/input/listing.h>
-#include <wheelrail/model/irregularity_checks.h>
 #include <wheelrail/wheel/irregular_places.h>
 
 #include <cmath>

@@ -3,7 +3,6 @@
 // Sections of rails whose heads are worn, have a lip or are joined to another body: the places that divide
 // them are found whatever angles their sides pass through, and no block or cell of the true bodies is folded.
 
-#include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/body_table.h>
 #include <wheelrail/bodies/wave_element.h>
 #include <wheelrail/mesh/fine_strip.h>

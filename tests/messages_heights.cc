@@ -4,7 +4,6 @@
 // of tables it reads.
 #include "messages.h"
 
-#include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/profiles/height_grid.h>
 #include <wheelrail/profiles/slices_file.h>

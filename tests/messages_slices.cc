@@ -9,8 +9,6 @@
 #include <wheelrail/sections/touching_places.h>
 
 #include <fstream>
-#include <functional>
-#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 // ends at the figures of a wheelset that stands there, a run that is stopped goes on bit for bit, and the
 // load may go to zero and come back.
 
-#include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/model/scene_motion.h>
 
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <fstream>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using namespace test;

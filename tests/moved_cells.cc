@@ -6,11 +6,9 @@
 
 #include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/moved_cells.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/model/scene_material.h>
 
-#include <cmath>
 #include <string>
 
 using namespace wheelrail;

@@ -13,9 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 

@@ -3,7 +3,6 @@
 // The plastic reduced hexahedron: patch test, rotation, energy, widths, fully
 // plastic moments.
 
-#include <wheelrail/base/errors.h>
 #include <wheelrail/solid/law_scope.h>
 #include <wheelrail/solid/point_state.h>
 

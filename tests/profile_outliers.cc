@@ -6,7 +6,6 @@
 #include "check.h"
 #include "profile_samples.h"
 
-#include <wheelrail/base/errors.h>
 #include <wheelrail/profiles/profile_file.h>
 
 #include <algorithm>

@@ -2,11 +2,9 @@
 // blow on the elements against the waves, places and what is answered to unsuitable ones.
 
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/base/errors.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_material.h>
-#include <wheelrail/model/scene_parts.h>
 #include <wheelrail/receptance/cut_peak.h>
 #include <wheelrail/receptance/hammer_places.h>
 #include <wheelrail/receptance/spectra.h>
@@ -21,7 +19,6 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>

@@ -7,7 +7,6 @@
 #include "check.h"
 #include "strip_steel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <string>

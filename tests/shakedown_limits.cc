@@ -9,7 +9,6 @@
 #include "check.h"
 #include "strip_steel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>

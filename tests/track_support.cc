@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string>
 
 using namespace wheelrail;
 using namespace test;

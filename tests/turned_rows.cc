@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 using namespace wheelrail;

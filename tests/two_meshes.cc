@@ -2,7 +2,6 @@
 // intervals; the first is not computed again when the second was interrupted.
 
 #include <wheelrail/base/read_file.h>
-#include <wheelrail/output/folder.h>
 #include <wheelrail/output/summary.h>
 
 #include "parallel.h"

@@ -6,7 +6,6 @@
 
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/bodies/body_contact.h>
-#include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/vehicle/wheelset_contact.h>
 #include <wheelrail/wheel/halfspace_case.h>

@@ -4,10 +4,8 @@
 #include "worn_profiles.h"
 
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/base/errors.h>
 #include <wheelrail/wear/wear_files.h>
 #include <wheelrail/wheel/halfspace_parts.h>
-#include <wheelrail/wheel/wheel_load.h>
 
 #include <algorithm>
 #include <cmath>

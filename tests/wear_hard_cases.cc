@@ -12,7 +12,6 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 using test::check;

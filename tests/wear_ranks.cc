@@ -7,7 +7,6 @@
 #include "worn_profiles.h"
 
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/base/errors.h>
 
 #include <deal.II/base/mpi.h>
 

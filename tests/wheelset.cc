@@ -11,7 +11,6 @@
 #include <wheelrail/wheel/halfspace_case.h>
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>

@@ -8,7 +8,6 @@
 #include "yaw_scene.h"
 
 #include <cmath>
-#include <string>
 
 using namespace wheelrail;
 using namespace test;

@@ -1,4 +1,3 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/contactcalls/call_table.h>
 #include <wheelrail/contactcalls/contact_calls.h>
 #include <wheelrail/contactfiles/rail_shape.h>

@@ -1,4 +1,3 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/model/profile_copies.h>

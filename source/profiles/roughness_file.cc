@@ -1,4 +1,3 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/profiles/roughness_file.h>
 #include <wheelrail/tables/table.h>
 

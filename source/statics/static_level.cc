@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 // One level of the multigrid: K x from the kernel's own forces, and a smoother over the nodes' diagonal

@@ -9,7 +9,6 @@
 
 #include "scenes/p4est_mesh.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
