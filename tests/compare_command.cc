@@ -6,6 +6,7 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/input/listing.h>
@@ -73,11 +74,9 @@ namespace
          split_list("compare.json, compare.html, halfspace.h5, halfspace_slices.h5, "
                     "pictures/compare_cut_aa.png, pictures/compare_subsurface_aa.png"))
       check(fs::exists(folder / file), std::string(file) + " is written");
-    std::ifstream     page(folder / "compare.html");
-    std::stringstream text;
-    text << page.rdbuf();
-    check(text.str().find("data:image/png;base64,") != std::string::npos, "the page holds its pictures");
-    check(text.str().find("://") == std::string::npos, "the page needs no network");
+    const std::string page = read_whole_file((folder / "compare.html").string());
+    check(page.find("data:image/png;base64,") != std::string::npos, "the page holds its pictures");
+    check(page.find("://") == std::string::npos, "the page needs no network");
   }
 
   /// Without its pose in the summary the same run compares worse: the pose is used.

@@ -5,6 +5,7 @@
 #include "contact_inputs.h"
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/contactfiles/contact_command.h>
 
 #include <filesystem>
@@ -42,15 +43,6 @@ namespace
   {
     return text.find(part) != std::string::npos;
   }
-
-  std::string
-  file_text(const std::string &path)
-  {
-    std::ifstream      file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
 } // namespace
 
 int
@@ -62,7 +54,7 @@ main()
   check(all.first == 0 && holds(all.second, "\n    23 ") &&
           holds(all.second, "Tables in output/basic-contact"),
         "all cases are solved");
-  const std::string table = file_text("output/basic-contact/cases.csv");
+  const std::string table = read_whole_file("output/basic-contact/cases.csv");
   check(table.rfind("case,line,normal_force_N,longitudinal_force_N,tangential_lateral_force_N,", 0) == 0 &&
           holds(table, "\n1,6,35780,6955.4") && holds(table, "\n23,"),
         "the table has a row of each");

@@ -6,6 +6,8 @@
 
 #include "check.h"
 
+#include <wheelrail/base/read_file.h>
+
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -15,7 +17,6 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -46,13 +47,6 @@ namespace test
     return options;
   }
 
-  inline std::string
-  whole_file(const std::string &path)
-  {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-
   /// The files of a folder with one of these endings, in the order of their names.
   inline std::vector<std::string>
   seed_texts(const std::string &folder, const std::vector<std::string> &endings)
@@ -64,7 +58,7 @@ namespace test
           paths.push_back(file.path().string());
     std::sort(paths.begin(), paths.end());
     for (const std::string &path : paths)
-      texts.push_back(whole_file(path));
+      texts.push_back(wheelrail::read_whole_file(path));
     return texts;
   }
 

@@ -5,11 +5,11 @@
 #include "check.h"
 
 #include <wheelrail/application/command_line.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/run/simulation.h>
 
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -19,15 +19,6 @@ using test::check_text;
 
 namespace
 {
-  std::string
-  file_text(const std::string &path)
-  {
-    std::ifstream      file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
   /// The first line in which two texts differ, from both.
   void
   show_difference(const std::string &found, const std::string &expected)
@@ -53,7 +44,7 @@ int
 main()
 {
   const std::string expected = parameter_reference();
-  const std::string found    = file_text(WHEELRAIL_SOURCE_DIR "/doc/manual/parameters.md");
+  const std::string found    = read_whole_file(WHEELRAIL_SOURCE_DIR "/doc/manual/parameters.md");
   if (!check(found == expected,
              "doc/manual/parameters.md is up to date (./wheelrail parameters --markdown > "
              "doc/manual/parameters.md renews it)"))
