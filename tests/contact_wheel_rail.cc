@@ -7,15 +7,15 @@
 #include "messages.h"
 #include "reference_table.h"
 
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/gap_search.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
-#include <wheelrail/contactfiles/rail_shape.h>
 #include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/contactfiles/solve_cases.h>
-#include <wheelrail/contactfiles/wheel_shape.h>
+#include <wheelrail/contactfiles/surface_shapes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -241,10 +241,7 @@ namespace
   std::string
   refusal(const std::string &from, const std::string &to)
   {
-    std::ifstream      file("ball.inp");
-    std::ostringstream text;
-    text << file.rdbuf();
-    auto cases = read_inp_text(test::replaced(text.str(), from, to), "x.inp");
+    auto cases = read_inp_text(test::replaced(read_whole_file("ball.inp"), from, to), "x.inp");
     cases.resize(1);
     const auto refused = solve_cases(cases).front().refused;
     return refused.empty() ? "" : refused.front();

@@ -4,7 +4,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/input/support_checks.h>
+#include <wheelrail/input/subject_checks.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/scene/rail_bending.h>
 

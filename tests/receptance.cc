@@ -5,7 +5,6 @@
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_material.h>
-#include <wheelrail/receptance/cut_peak.h>
 #include <wheelrail/receptance/hammer_places.h>
 #include <wheelrail/receptance/spectra.h>
 #include <wheelrail/receptance/track_waves.h>

@@ -7,7 +7,6 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <wheelrail/model/model.h>
-#include <wheelrail/statics/static_parts.h>
 #include <wheelrail/statics/static_springs.h>
 #include <wheelrail/statics/static_system.h>
 #include <wheelrail/track/track_support.h>

@@ -1,6 +1,6 @@
 #include <wheelrail/contactcalls/call_table.h>
 #include <wheelrail/contactcalls/contact_calls.h>
-#include <wheelrail/contactfiles/rail_shape.h>
+#include <wheelrail/contactfiles/surface_shapes.h>
 
 #include <algorithm>
 #include <array>

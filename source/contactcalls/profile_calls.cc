@@ -1,9 +1,8 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contactcalls/call_table.h>
 #include <wheelrail/contactcalls/contact_calls.h>
-#include <wheelrail/contactfiles/rail_shape.h>
+#include <wheelrail/contactfiles/surface_shapes.h>
 #include <wheelrail/contactfiles/wheel_rail_pose.h>
-#include <wheelrail/contactfiles/wheel_shape.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,8 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/input/irregularity_checks.h>
 #include <wheelrail/input/study_cases.h>
-#include <wheelrail/input/support_checks.h>
-#include <wheelrail/input/wheelset_checks.h>
+#include <wheelrail/input/subject_checks.h>
 
 #include <algorithm>
 #include <cmath>

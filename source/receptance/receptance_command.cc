@@ -11,7 +11,6 @@
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
-#include <wheelrail/receptance/cut_peak.h>
 #include <wheelrail/receptance/hammer_places.h>
 #include <wheelrail/receptance/receptance_command.h>
 #include <wheelrail/receptance/response_tables.h>

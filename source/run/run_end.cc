@@ -4,7 +4,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/bodies/run_reference.h>
-#include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/geometry/track.h>
 #include <wheelrail/input/entries.h>

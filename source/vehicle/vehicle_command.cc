@@ -6,7 +6,7 @@
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/commands/row_verdicts.h>
 #include <wheelrail/commands/scene_row.h>
-#include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/bodies/body_contact.h>
-#include <wheelrail/input/wheelset_checks.h>
+#include <wheelrail/input/subject_checks.h>
 #include <wheelrail/scene/one_wheel.h>
 #include <wheelrail/vehicle/pair_root.h>
 #include <wheelrail/vehicle/wheelset_contact.h>

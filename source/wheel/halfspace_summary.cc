@@ -1,5 +1,5 @@
 #include <wheelrail/base/format_text.h>
-#include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/geometry/track.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/section_file.h>

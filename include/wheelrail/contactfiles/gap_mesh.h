@@ -1,8 +1,7 @@
 #pragma once
 
 #include <wheelrail/contactfiles/gap_search.h>
-#include <wheelrail/contactfiles/rail_shape.h>
-#include <wheelrail/contactfiles/wheel_shape.h>
+#include <wheelrail/contactfiles/surface_shapes.h>
 
 #include <vector>
 

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <wheelrail/contactfiles/gap_search.h>
-#include <wheelrail/contactfiles/rail_shape.h>
+#include <wheelrail/contactfiles/surface_shapes.h>
 #include <wheelrail/contactfiles/wheel_rail_case.h>
-#include <wheelrail/contactfiles/wheel_shape.h>
 #include <wheelrail/halfspace/problem.h>
 
 #include <vector>

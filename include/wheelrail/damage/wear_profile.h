@@ -3,6 +3,7 @@
 #include <wheelrail/damage/laws.h>
 #include <wheelrail/output/fields.h>
 #include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/summary.h>
 
 #include <string>
 #include <vector>
@@ -41,4 +42,21 @@ namespace wheelrail
   /// Integral over the width, of depths the area that a passage takes from the section [m2].
   double
   over_width(const WearProfile &profile, const std::vector<double> &values);
+
+  /// The keys of the figures of wear that count for the worst patch, which are all but the section.
+  const std::vector<std::string> &
+  worst_wear_keys();
+
+  /// Sets the figures of wear and cracks of a patch, from its force, area, peak pressure and T-gamma in the
+  /// summary: T-gamma over its area, wear rate (usfd_wear_rate()), share of the life of one passage
+  /// (burstow_damage()), largest depth and section that Archard's law takes in one passage (`wear` across the
+  /// rail; empty: not known), traction over normal force, and, where the yield stress in shear is known,
+  /// fatigue index and peak pressure over it, the load of shakedown maps (Johnson 1989). `tangential`: force
+  /// [N], `yield_stress`: of the rail [Pa]; infinite: elastic.
+  void
+  set_wear_figures(const WearProfile &wear,
+                   double             tangential,
+                   double             yield_stress,
+                   const WearData    &data,
+                   Summary           &summary);
 } // namespace wheelrail

@@ -7,6 +7,15 @@
 
 namespace wheelrail
 {
+  /// Adds what the entries of irregularities contradict among each other, as far as no profile is needed: a
+  /// shape without depth or file, flats and polygons of a rail, entries without effect.
+  void
+  check_irregularities(const Scene &scene, Findings &found);
+
+  /// Track/Support and its entries against each other and against the rail.
+  void
+  check_support(const Scene &scene, Findings &found);
+
   /// "Wheelset/Velocity = ...: ... lift the left-hand wheel" where the curve of a scene does so
   /// (curve_loads()); empty where both wheels carry.
   std::string
