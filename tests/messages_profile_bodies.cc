@@ -16,6 +16,7 @@ using test::check_text;
 using test::columns;
 using test::message_of;
 using test::sampled;
+using test::sampled_head;
 
 namespace
 {
@@ -36,22 +37,11 @@ namespace
     check_text(message_of([&]() { read_profile_text(text, "p.txt", how); }), expected, what);
   }
 
-  /// Points of the head of 54E1 down to 30 mm, at steps of half a millimetre.
-  std::vector<Point2>
-  head()
-  {
-    std::vector<Point2> points;
-    for (const Point2 &p : sampled(rail_profile("54E1").head, 0.5e-3, 0, 1))
-      if (p.y > -30e-3)
-        points.push_back(p);
-    return points;
-  }
-
   void
   test_kinds()
   {
     const auto rail = options(ProfileKind::rail), wheel = options(ProfileKind::wheel);
-    check_refused(columns(head()),
+    check_refused(columns(sampled_head()),
                   wheel,
                   "p.txt: no wheel profile: both of its ends hang down, the one without the flange to 0 mm "
                   "above the lowest point; a tread with its flange on one side is needed (this may be a "
@@ -70,13 +60,13 @@ namespace
       "p.txt: with Profiles/Wheel mirror = no the flange lies on the field side; write auto or yes",
       "a flange on the field side");
     std::vector<Point2> points;
-    for (const Point2 &p : head())
+    for (const Point2 &p : sampled_head())
       if (p.x < 0)
         points.push_back(p);
     check_refused(
       columns(points), rail, "p.txt: no rail head: 35.3 mm wide; 40 mm to 95 mm is accepted", "half a head");
     points.clear();
-    for (const Point2 &p : head())
+    for (const Point2 &p : sampled_head())
       if (p.y > -3e-3)
         points.push_back(p);
     check_refused(columns(points),
@@ -100,7 +90,7 @@ namespace
     };
     const auto          tread = sampled(wheel_profile("S1002").tread, 0.5e-3, 0, 1);
     std::vector<Point2> points;
-    for (const Point2 &p : head())
+    for (const Point2 &p : sampled_head())
       if (p.y > -9e-3)
         points.push_back(p);
     check_text(message_of([&]() { joined_rail(points); }),
@@ -108,7 +98,7 @@ namespace
                "profile that goes deeper is needed, or Profiles/Rail origin (for half-spaces)",
                "no side of the head");
     points.clear();
-    for (const Point2 &p : head())
+    for (const Point2 &p : sampled_head())
       if (p.x > 0 || p.y > -9e-3)
         points.push_back(p);
     check_text(message_of([&]() { joined_rail(points); }),
@@ -117,7 +107,7 @@ namespace
                "exchanged, set Profiles/Rail mirror)",
                "no gauge side");
     points.clear();
-    for (const Point2 &p : head())
+    for (const Point2 &p : sampled_head())
       points.push_back({0.6 * p.x, p.y});
     check_text(
       message_of([&]() { joined_rail(points); }),

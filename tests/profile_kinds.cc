@@ -61,7 +61,7 @@ namespace
     check(!apart.tells("heading"), "points with empty lines between them are all points");
     check_on(apart, S1002(), -69e-3, 59e-3, 1e-6, "points with empty lines between them");
 
-    Points rail = head("60E1");
+    Points rail = test::sampled_head("60E1", 28e-3);
     for (Point2 &p : rail) // the gauge side on the right
       p.x = -p.x;
     std::string four, count = std::to_string(rail.size());
@@ -91,7 +91,7 @@ namespace
   {
     std::string  text;
     unsigned int line = 0;
-    for (const Point2 &p : head("60E1"))
+    for (const Point2 &p : test::sampled_head("60E1", 28e-3))
       {
         std::string row = columns({p});
         row.pop_back();
@@ -108,7 +108,7 @@ namespace
     check_on(odd, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "words and switched-off lines");
 
     std::string five;
-    for (const Point2 &p : head("60E1"))
+    for (const Point2 &p : test::sampled_head("60E1", 28e-3))
       five += columns({p}).substr(0, columns({p}).size() - 1) + " 0.1 0.2 0.3\n";
     check_tells(read(ProfileKind::rail, five), "columns 3 to 5 of the file left out", "five columns");
   }
@@ -117,7 +117,7 @@ namespace
   void
   test_line_ends()
   {
-    std::string text = "# measured on track 2\nx [mm]  y [mm]\n" + columns(head("60E1"));
+    std::string text = "# measured on track 2\nx [mm]  y [mm]\n" + columns(test::sampled_head("60E1", 28e-3));
     const Read  unix = read(ProfileKind::rail, text);
     std::replace(text.begin(), text.end(), '\n', '\r');
     const Read mac = read(ProfileKind::rail, text);
@@ -130,7 +130,7 @@ namespace
   void
   test_decimal_commas()
   {
-    std::string commas = columns(head("60E1"));
+    std::string commas = columns(test::sampled_head("60E1", 28e-3));
     std::replace(commas.begin(), commas.end(), '.', ',');
     const Read read_commas = read(ProfileKind::rail, commas);
     check_tells(read_commas, "decimal commas read as points", "decimal commas");
@@ -204,7 +204,7 @@ namespace
     check_on(wheel, S1002(), -60e-3, 55e-3, 1e-5, "steps of 12 mm on the faces");
 
     Points hole;
-    for (const Point2 &p : head("60E1"))
+    for (const Point2 &p : test::sampled_head("60E1", 28e-3))
       if (std::abs(p.x) > 6e-3)
         hole.push_back(p);
     check(read(ProfileKind::rail, columns(hole)).error.find("a gap of 12") != std::string::npos,
@@ -276,7 +276,7 @@ namespace
       {75e-3, -172e-3}, {75e-3, -160.5e-3}, {9e-3, -145e-3}, {8.25e-3, -120e-3}, {8.25e-3, -60e-3}};
     for (std::size_t k = whole.size(); k-- > 0;)
       whole.push_back({-whole[k].x, whole[k].y});
-    const Points top = head("60E1");
+    const Points top = test::sampled_head("60E1", 28e-3);
     whole.insert(whole.begin() + 5, top.begin(), top.end());
     if (top.front().x < top.back().x)
       std::reverse(whole.begin() + 5, whole.begin() + 5 + top.size());
@@ -307,13 +307,13 @@ namespace
   test_other_bodies()
   {
     Points narrow;
-    for (const Point2 &p : head("54E1"))
+    for (const Point2 &p : test::sampled_head("54E1", 28e-3))
       narrow.push_back({p.x - std::copysign(std::min(8e-3, 0.4 * std::abs(p.x)), p.x), p.y});
     const Read other = read(ProfileKind::rail, columns(narrow));
     check_tells(other, "joined to it by a straight line of", "a head 16 mm narrower");
 
     Points part;
-    for (const Point2 &p : head("60E1"))
+    for (const Point2 &p : test::sampled_head("60E1", 28e-3))
       if (p.x < 20e-3)
         part.push_back(p);
     const Read one_side = read(ProfileKind::rail, columns(part));

@@ -18,6 +18,7 @@ using namespace wheelrail;
 using test::check_text;
 using test::columns;
 using test::sampled;
+using test::sampled_head;
 
 namespace
 {
@@ -72,17 +73,6 @@ namespace
     check_text(lines(profile.notes), expected, what);
   }
 
-  /// Points of the head of 54E1 down to a depth [m], at equal steps [m].
-  Points
-  head(const double depth = 30e-3, const double step = 0.5e-3)
-  {
-    Points points;
-    for (const Point2 &p : sampled(rail_profile("54E1").head, step, 0, 1))
-      if (p.y > -depth)
-        points.push_back(p);
-    return points;
-  }
-
   Points
   tread()
   {
@@ -110,30 +100,30 @@ namespace
   void
   test_units()
   {
-    check_rail(columns(head()),
+    check_rail(columns(sampled_head()),
                "two columns, 231 points\n"
                "unit taken as mm, since the profile then is 71.6 mm wide; Profiles/Rail unit changes it\n" +
                  in_order + rest,
                "a rail in two columns");
-    check_rail("x (mm) y\n" + columns(head()),
+    check_rail("x (mm) y\n" + columns(sampled_head()),
                "two columns, 231 points\nunit mm as the file states\n" + in_order + rest,
                "a unit in the heading");
     ProfileFileOptions metres;
     metres.unit = ProfileUnit::metre;
-    check_rail("x (mm) y\n" + columns(head(), 1, 1),
+    check_rail("x (mm) y\n" + columns(sampled_head(), 1, 1),
                "two columns, 231 points\nunit m by Profiles/Rail unit, though the file states mm\n" +
                  in_order + rest,
                "a heading that is wrong",
                metres);
     const double inch = 1 / 0.0254;
-    check_rail(simpack("units.len.f = 39.37007874\n", columns(head(), inch, inch)),
+    check_rail(simpack("units.len.f = 39.37007874\n", columns(sampled_head(), inch, inch)),
                "SIMPACK, 231 points\nunit 25.4 mm as the file states\n" + in_order + rest,
                "inches by units.len.f");
     ProfileFileOptions all;
     all.mirror = ProfileMirror::yes;
     all.unit   = ProfileUnit::millimetre;
     all.noise  = 5e-6;
-    check_rail(columns(head()),
+    check_rail(columns(sampled_head()),
                "two columns, 231 points\nunit mm by Profiles/Rail unit\n"
                "mirrored: Profiles/Rail mirror = yes\norder of the points reversed\n"
                "noise of  um by Profiles/Smoothing smoothed; the curve lies at most  um off the points\n" +
@@ -158,22 +148,22 @@ namespace
   void
   test_formats()
   {
-    check_rail(with_third_column(head(), "7"),
+    check_rail(with_third_column(sampled_head(), "7"),
                "two columns, 231 points\nthird column of the file left out\n"
                "unit taken as mm, since the profile then is 71.6 mm wide; Profiles/Rail unit changes it\n" +
                  in_order + rest,
                "a third column");
-    check_rail(simpack("units.len.f = 1000\n", "0 0 0\n" + with_third_column(head(), "1")),
+    check_rail(simpack("units.len.f = 1000\n", "0 0 0\n" + with_third_column(sampled_head(), "1")),
                "SIMPACK, 232 points\n1 point of weight 0 dropped\nunit mm as the file states\n" + in_order +
                  rest,
                "a point of weight 0");
     check_rail(
-      simpack("units.len.f = 1000\n", with_third_column(head(), "0.5")),
+      simpack("units.len.f = 1000\n", with_third_column(sampled_head(), "0.5")),
       "SIMPACK, 231 points\n231 weights other than 0 and 1 taken as 1\nunit mm as the file states\n" +
         in_order + rest,
       "weights of one half");
     check_rail(
-      "ProgramName=x\nXOffset=1\nTilt=0.1\nYOffset=2\nColumnDef=X,Y\n\n" + columns(head()),
+      "ProgramName=x\nXOffset=1\nTilt=0.1\nYOffset=2\nColumnDef=X,Y\n\n" + columns(sampled_head()),
       "MiniProf, 231 points\nXOffset of the file is taken as applied already\n"
       "YOffset of the file is taken as applied already\nTilt of the file is taken as applied already\n"
       "unit mm as the file states\n"
@@ -188,7 +178,7 @@ namespace
   void
   test_simpack_orders()
   {
-    Points points = head();
+    Points points = sampled_head();
     points.insert(points.begin() + 1, points.front() + Point2{0, 3e-6});
     check_rail(
       simpack("units.len.f = 1000\npoint.dist.min = 0.01\nshift.y = 2\nshift.z = 1\n"
@@ -206,7 +196,7 @@ namespace
     check_rail(
       simpack("units.len.f = 1000\nrotate = 0.001\nbound.y.min = -50\nbound.y.max = 30\n"
               "bound.z.min = -29\nbound.z.max = 5\n",
-              columns(head())),
+              columns(sampled_head())),
       "SIMPACK, 231 points\nturned by rotate = 0.001 of the file\n54 points outside bound.y.min and "
       ".max of the file dropped\n"
       "2 points outside bound.z.min and .max of the file dropped\nunit mm as the file states\n" +
@@ -221,7 +211,7 @@ namespace
   void
   test_order_and_place()
   {
-    Points       points = head();
+    Points       points = sampled_head();
     std::mt19937 random(1);
     for (std::size_t i = points.size() - 1; i > 0; --i)
       std::swap(points[i], points[random() % (i + 1)]);
@@ -233,7 +223,7 @@ namespace
                  "the points, listed in no order along the outline, sorted by the lateral coordinate\n" +
                  in_order + "order of the points reversed\n" + rest,
                "points in no order");
-    points = head();
+    points = sampled_head();
     for (Point2 &p : points)
       p = p + Point2{0.1, 0.02};
     check_rail(columns(points),
@@ -251,7 +241,7 @@ namespace
                  "joined to the sides of 54E1 31.7 mm (field side) and 31.7 mm (gauge side) below its top; "
                  "below that it is the body\n",
                "a whole rail");
-    check_rail(columns(head(30e-3, 0.03e-3)),
+    check_rail(columns(sampled_head("54E1", 30e-3, 0.03e-3)),
                "two columns, 3855 points\n"
                "unit taken as mm, since the profile then is 71.6 mm wide; Profiles/Rail unit changes it\n"
                "points closer than 0.1 mm averaged: 964 of 3855 left\n" +

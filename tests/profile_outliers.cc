@@ -60,23 +60,14 @@ namespace
     return sampled(wheel_profile("S1002").tread, 0.5e-3, noise, 5);
   }
 
-  Points
-  head(const double noise)
-  {
-    Points points;
-    for (const Point2 &p : sampled(rail_profile("54E1").head, 0.5e-3, noise, 6))
-      if (p.y > -28e-3)
-        points.push_back(p);
-    return points;
-  }
-
   /// One bad point, or two side by side, of every size, at many places.
   void
   test_bad_points()
   {
     for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
       {
-        const Points      base  = kind == ProfileKind::rail ? head(5e-6) : tread(5e-6);
+        const Points base =
+          kind == ProfileKind::rail ? test::sampled_head("54E1", 28e-3, 0.5e-3, 5e-6, 6) : tread(5e-6);
         const std::string name  = kind == ProfileKind::rail ? "rail" : "wheel";
         const Curve       clean = read(kind, base).curve;
         for (const double size : {0.2e-3, 0.7e-3, 3e-3, -3e-3, 20e-3})

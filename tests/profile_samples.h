@@ -37,6 +37,21 @@ namespace test
     return points;
   }
 
+  /// The same of the head of a standard rail, down to a depth [m].
+  inline std::vector<wheelrail::Point2>
+  sampled_head(const std::string &name  = "54E1",
+               const double       depth = 30e-3,
+               const double       step  = 0.5e-3,
+               const double       noise = 0,
+               const unsigned int seed  = 1)
+  {
+    std::vector<wheelrail::Point2> points;
+    for (const wheelrail::Point2 &p : sampled(wheelrail::rail_profile(name).head, step, noise, seed))
+      if (p.y > -depth)
+        points.push_back(p);
+    return points;
+  }
+
   /// Two columns in millimetres.
   inline std::string
   columns(const std::vector<wheelrail::Point2> &points,

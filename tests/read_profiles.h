@@ -111,15 +111,4 @@ namespace test::profile_files
                  std::find_if(points.begin(), points.end(), [](const Point2 &p) { return p.x > 1.5e-3; }));
     return points;
   }
-
-  /// Points of the head of a standard rail down to a depth [m].
-  inline Points
-  head(const std::string &name, const double depth = 28e-3)
-  {
-    Points points;
-    for (const Point2 &p : sampled(rail_profile(name).head, 0.5e-3, 0, 1))
-      if (p.y > -depth)
-        points.push_back(p);
-    return points;
-  }
 } // namespace test::profile_files
