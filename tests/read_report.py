@@ -54,6 +54,12 @@ check_sentence(report(script, os.path.join(folder, "none")), "There is no folder
 with tempfile.TemporaryDirectory() as empty:
     check_sentence(report(script, empty), "holds no results")
     check(not os.listdir(empty), "a folder without results stays as it was")
+    os.mkdir(os.path.join(empty, "pictures"))
+    for name in ("places.csv", "pictures/places.png"):
+        with open(os.path.join(empty, name), "w", encoding="utf-8"):
+            pass
+    check_sentence(report(script, empty), f"{empty} holds places.csv, pictures/places.png, of which there is no page;")
+    check(not os.path.exists(os.path.join(empty, "report.html")), "a folder of tables alone has no page")
     with open(os.path.join(empty, "patch.h5"), "w", encoding="utf-8") as file:
         file.write("no HDF5")
     check_sentence(report(script, empty), "patch.h5", "cannot be read as HDF5")

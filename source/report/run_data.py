@@ -1,5 +1,6 @@
 """What a report is made of: the results of a run, the tick that is drawn, and what is missing."""
 
+import glob
 import os
 import re
 
@@ -128,6 +129,13 @@ def find_friction(run):
     return None if value is None or not np.isfinite(value) else float(value)
 
 
+def tables_in(folder):
+    """The tables of a folder, as of places and creep curves, and the pictures of them."""
+    found = [os.path.relpath(path, folder) for name in ("*.csv", "pictures/*.png")
+             for path in glob.glob(os.path.join(glob.escape(folder), name))]
+    return sorted(found, key=lambda name: (os.sep in name, name)) if any(name.endswith(".csv") for name in found) else []
+
+
 def load(folder, tick=None):
     run = Run(folder)
     load_summary(run)
@@ -135,6 +143,9 @@ def load(folder, tick=None):
     if not run.is_halfspace:
         run.history = run.try_to(lambda: run.data.history, "The pictures over the rolled distance are left out.")
     if run.summary is None and run.patch is None and run.history is None:
+        if tables := tables_in(run.folder):
+            raise ReportError(f"The folder {folder} holds {', '.join(tables)}, of which there is no page; give the output "
+                              "folder of a run for one.")
         raise ReportError(f"The folder {folder} holds no results (none of summary.json, patch.h5 and "
                           "history.h5); give the output folder of a run.")
     run.friction = find_friction(run)
