@@ -54,13 +54,21 @@ main()
   check(all.first == 0 && holds(all.second, "\n    23 ") &&
           holds(all.second, "Tables in output/basic-contact"),
         "all cases are solved");
+  const std::string cut = "he contact reaches the edge of the grid",
+                    why = "T" + cut + " in case 9: what lies beyond carries nothing; take a larger grid.";
+  check(holds(all.second, "warning: case 9: t" + cut + "\n") &&
+          holds(all.second, "\nverdict: not trusted: " + why + "\n"),
+        "a grid that cuts a contact off is no verdict but not trusted");
+  const std::string summary = read_whole_file("output/basic-contact/summary.json");
+  check(holds(summary, why) && holds(summary, "\"trusted\": false"), "so the summary, and thus the page");
   const std::string table = read_whole_file("output/basic-contact/cases.csv");
   check(table.rfind("case,line,normal_force_N,longitudinal_force_N,tangential_lateral_force_N,", 0) == 0 &&
           holds(table, "\n1,6,35780,6955.4") && holds(table, "\n23,"),
         "the table has a row of each");
   const auto third = call(given, 13);
-  check(third.first == 0 && holds(third.second, "\n    13 ") && !holds(third.second, "\n    12 "),
-        "one case alone");
+  check(third.first == 0 && holds(third.second, "\n    13 ") && !holds(third.second, "\n    12 ") &&
+          holds(third.second, "\nverdict: trusted\n"),
+        "one case alone, which the grid holds");
   check_text(
     call(given, 24).second, "--case 24: " + given + " has cases 1 to 23", "a case that is not there");
 

@@ -172,6 +172,30 @@ namespace wheelrail
       return table;
     }
 
+    /// Whether the grid cuts a contact off. Line contacts always reach its edge.
+    bool
+    cut_off(const HalfspaceSolution &s)
+    {
+      return s.touches_grid_edge && s.grid.mx > 1 && s.grid.my > 1;
+    }
+
+    /// Which cases the grid cuts off: " 9, 12"; empty: none.
+    std::string
+    cases_cut_off(const std::vector<CaseResult> &results)
+    {
+      std::string cases;
+      for (std::size_t k = 0; k < results.size(); ++k)
+        {
+          bool cut = results[k].solved && cut_off(results[k].solved->solution);
+          if (results[k].wheel_rail)
+            for (const WheelRailPatch &patch : results[k].wheel_rail->patches)
+              cut = cut || cut_off(patch.solution);
+          if (cut)
+            cases += (cases.empty() ? " " : ", ") + std::to_string(k + 1);
+        }
+      return cases;
+    }
+
     /// Rows and warnings of the cases of a module; returns how many were not solved as they should.
     std::size_t
     print_results(const int                       module,
@@ -195,7 +219,7 @@ namespace wheelrail
               {
                 const HalfspaceSolution &s = results[k].solved->solution;
                 print_case(k + 1, cases[k], s, out);
-                if (s.touches_grid_edge && s.grid.mx > 1 && s.grid.my > 1) // line contacts always do
+                if (cut_off(s))
                   out << "warning: case " << k + 1 << ": the contact reaches the edge of the grid\n";
                 missed = s.converged() && s.within_friction ? "" : s.not_reached;
               }
@@ -260,11 +284,14 @@ namespace wheelrail
       set_figure(summary, "cases_solved", solved);
       set_figure(summary, "cases_refused", refused);
       set_figure(summary, "cases_not_converged", double(poor));
+      const std::string cut = cases_cut_off(results);
       if (poor > 0)
-        {
-          summary.verdict = "not trusted";
-          summary.doubts  = "Cases were not solved to their tolerance: see column converged of the tables.";
-        }
+        summary.doubts = "Cases were not solved to their tolerance: see column converged of the tables.";
+      if (!cut.empty())
+        summary.doubts += (poor > 0 ? " " : "") + ("The contact reaches the edge of the grid in case" + cut) +
+                          ": what lies beyond carries nothing; take a larger grid.";
+      if (poor > 0 || !cut.empty())
+        summary.verdict = "not trusted";
       else if (wheel_rail > 0)
         {
           summary.verdict = "with care";
