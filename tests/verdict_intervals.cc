@@ -67,6 +67,19 @@ namespace
     check(std::isnan(interval_of("contact_area", 1, causes).low), "no number where a cause has no bound");
     check(std::isinf(known_within("contact_area", 1, 1, causes).within), "and it is known badly");
     check(std::isnan(known_within("creepage", 1, 1, causes).within), "of which no cause is known");
+    const Contributions wide{{"max_pressure", "elements", 0, 4.9e8},
+                             {"contact_area", "elements", 0, 6e-5},
+                             {"creepage", "elements", 0, 1e-4}};
+    Summary             sizes;
+    sizes.max_pressure = 1e9;
+    sizes.contact_area = 1e-4;
+    sizes.creepage     = 1e-5;
+    set_intervals(wide, sizes);
+    check_text(shown_interval(sizes, "max_pressure"), "510.0 to 1490.0", "an interval as wide as the peak");
+    check_text(shown_interval(sizes, "contact_area"), "", "of an area that is narrower there is none");
+    check(!shown_interval(sizes, "creepage").empty(), "a creepage may be nought");
+    check_near(
+      known_within("contact_area", 1e-4, 1e-9, wide).within, 0.6, 1e-9, "how far it is off is known still");
   }
 
   /// Results that err with a power of the cells: the end they tend to lies in the interval.

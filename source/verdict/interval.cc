@@ -18,6 +18,22 @@ namespace wheelrail
           found.push_back(one);
       return found;
     }
+
+    /// Whether an interval is wider than the result itself, one of the normal contact, which is never nought:
+    /// it says nothing. Forces and creepages may be nought, and theirs does.
+    bool
+    says_nothing(const std::string &result, const double value, const Interval &interval)
+    {
+      for (const char *size : {"max_pressure",
+                               "max_pressure_fitted",
+                               "contact_area",
+                               "patch_lateral",
+                               "patch_longitudinal",
+                               "approach"})
+        if (result == size)
+          return interval.high - interval.low > value;
+      return false;
+    }
   } // namespace
 
 
@@ -65,8 +81,9 @@ namespace wheelrail
   {
     for (const Figure &figure : all_figures())
       {
-        const Interval interval = interval_of(figure.name, get_figure(summary, figure.key()), contributions);
-        if (!std::isfinite(interval.low))
+        const double   value    = get_figure(summary, figure.key());
+        const Interval interval = interval_of(figure.name, value, contributions);
+        if (!std::isfinite(interval.low) || says_nothing(figure.name, value, interval))
           continue;
         set_figure(summary, figure.key("_low"), interval.low);
         set_figure(summary, figure.key("_high"), interval.high);
