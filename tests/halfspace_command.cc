@@ -7,6 +7,7 @@
 #include "read_output.h"
 
 #include <wheelrail/application/command_line.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/patch_measures.h>
 
@@ -106,6 +107,43 @@ namespace
           "more force than falling friction carries: the wheel spins up");
   }
 
+  /// The command at places along rails by slices: its screen, and the column `trusted` of its table.
+  std::string
+  roll_on_slices(const std::string &scene,
+                 const std::string &place,
+                 const std::string &shift,
+                 const double       trusted)
+  {
+    std::ostringstream out;
+    const fs::path     at = folder / "slices";
+    execute({"halfspace",
+             WHEELRAIL_SOURCE_DIR "/prm/" + scene,
+             "--places",
+             place,
+             "--no-pictures",
+             "--set",
+             "Output/Folder = " + at.string(),
+             "--set",
+             "Wheelset/Lateral shift = " + shift},
+            {},
+            out);
+    const std::string table = read_whole_file(at.string() + "-halfspace/places.csv");
+    for (std::size_t end = table.find('\n', table.find('\n') + 1); end != std::string::npos;
+         end             = table.find('\n', end + 1))
+      check_near(table[end - 1] - '0', trusted, 0, scene + ", shift " + shift + ": trusted");
+    return out.str();
+  }
+
+  void
+  test_slices()
+  {
+    const auto holds = [](const std::string &text, const std::string &part) {
+      check(text.find(part) != std::string::npos, part);
+    };
+    holds(roll_on_slices("crossing.prm", "150 mm", "-5 mm", 0),
+          "   150.000 not trusted: The peak pressure of 5.1 GPa is more than any rail steel bears (4 GPa)");
+  }
+
   /// Half-spaces have no run beside them.
   void
   compared()
@@ -189,5 +227,6 @@ main()
   too_much_force();
   compared();
   not_drawn();
+  test_slices();
   return test::report();
 }

@@ -14,6 +14,7 @@
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/sections/section_contacts.h>
+#include <wheelrail/verdict/rules.h>
 #include <wheelrail/wheel/halfspace_parts.h>
 #include <wheelrail/wheel/irregular_places.h>
 #include <wheelrail/wheel/wheel_load.h>
@@ -147,10 +148,36 @@ namespace wheelrail
         results[k].noise = 2 * std::sqrt(squares[k] / draws);
     }
 
-    bool
-    trusted(const PlaceResult &result, const Scene &scene)
+    constexpr int fewest = 8; ///< elements across a patch, below which its peak may be off by 5 % and more
+
+    int
+    patches_of_few_elements(const PlaceResult &result)
     {
-      return result.fault.empty() && result.noise <= scene.wanted_accuracy;
+      return static_cast<int>(std::count_if(
+        result.contacts.patches.begin(), result.contacts.patches.end(), [](const SectionPatch &patch) {
+          return elements_across(patch.solution) < fewest;
+        }));
+    }
+
+    /// Why a place is not trusted; empty: it is.
+    std::string
+    doubts_of(const PlaceResult &result, const Scene &scene)
+    {
+      if (!result.fault.empty())
+        return result.fault;
+      Verdict  verdict;
+      Measures measures;
+      measures.peak_pressure = highest_peak(result.contacts);
+      judge_place(measures, verdict);
+      if (!(result.noise <= scene.wanted_accuracy))
+        add(verdict,
+            Grade::not_trusted,
+            text("slices that are off as a whole leave the peak pressure uncertain by %.1f %%; take more, or "
+                 "smoother ones.",
+                 100 * result.noise));
+      if (patches_of_few_elements(result) > 0)
+        add(verdict, Grade::not_trusted, text("fewer than %d elements lie across a patch.", fewest));
+      return verdict.doubts();
     }
 
     std::string
@@ -181,8 +208,7 @@ namespace wheelrail
              "creepage\n"
              "        mm         mm              mm        mm       deg          N        MPa       mm2      "
              "   %\n";
-      constexpr int fewest = 8;
-      int           coarse = 0;
+      int coarse = 0;
       for (std::size_t k = 0; k < results.size(); ++k)
         {
           const SectionContacts &c     = results[k].contacts;
@@ -200,16 +226,10 @@ namespace wheelrail
                           1e6 * p.solution.contact_elements * p.problem.grid.element_area(),
                           100 * p.solution.xi);
               place = std::string(21, ' ');
-              coarse += elements_across(p.solution) < fewest ? 1 : 0;
             }
-          if (!results[k].fault.empty())
-            out << text("%10.3f not trusted: ", 1e3 * sections.places[k]) << results[k].fault << "\n";
-          else if (!trusted(results[k], scene))
-            out << text(
-              "%10.3f not trusted: slices that are off as a whole leave the peak pressure uncertain "
-              "by %.1f %%; take more, or smoother ones\n",
-              1e3 * sections.places[k],
-              100 * results[k].noise);
+          coarse += patches_of_few_elements(results[k]);
+          if (const std::string doubts = doubts_of(results[k], scene); !doubts.empty())
+            out << text("%10.3f not trusted: ", 1e3 * sections.places[k]) << doubts << "\n";
         }
       if (coarse > 0)
         out << "warning: fewer than " << fewest << " elements lie across " << coarse
@@ -246,7 +266,7 @@ namespace wheelrail
                            p.radius,
                            p.solution.xi,
                            p.solution.eta,
-                           trusted(results[k], scene) ? 1. : 0.});
+                           doubts_of(results[k], scene).empty() ? 1. : 0.});
           }
       return table;
     }
