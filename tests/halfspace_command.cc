@@ -142,6 +142,8 @@ namespace
     };
     holds(roll_on_slices("crossing.prm", "150 mm", "-5 mm", 0),
           "   150.000 not trusted: The peak pressure of 5.1 GPa is more than any rail steel bears (4 GPa)");
+    const std::string joint = roll_on_slices("insulated_joint.prm", "0 mm", "0 mm", 1);
+    check(joint.find("not trusted") == std::string::npos, "wheel and rail that lie into each other");
   }
 
   /// Half-spaces have no run beside them.

@@ -9,8 +9,9 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double beside = 15e-3; ///< width of the surface around a contact that is looked at [m]
-    constexpr double far    = 10e-3; ///< distance where there is no surface [m]
+    constexpr double beside = 30e-3;  ///< of the surface that is there on either side of a contact [m]
+    constexpr double around = 7.5e-3; ///< looked through for parts that overlap on either side of it [m]
+    constexpr double far    = 10e-3;  ///< distance where there is no surface [m]
 
     /// Columns of a surface around a line.
     SectionColumn
@@ -60,7 +61,7 @@ namespace wheelrail
         std::vector<OverlapPoint> points;
         bool                      done = false;
       };
-      const int                 half = static_cast<int>(beside / 2 / dy);
+      const int                 half = static_cast<int>(around / dy);
       std::vector<OverlapPoint> points;
       // columns are added on both sides as long as the overlap goes on
       const auto add = [&](const int i) {
@@ -70,20 +71,26 @@ namespace wheelrail
         if (column.empty())
           return false;
         const double middle = column.arc(place.line);
-        for (int j = -half; j <= half; ++j)
-          {
-            const double s = middle + j * dy;
-            if (s < 0 || s > column.length())
-              continue;
-            const SectionColumn::Point p = column.at(s);
-            const Vector3              P{p.position.x, p.position.y, Z};
-            const auto                 gap = wheel.distance(P, {0, 1, 0}, height);
-            if (gap && *gap < 0)
-              {
-                any = true;
-                points.push_back({P, *gap * *gap, column.line(s), rail_normal(p)});
-              }
-          }
+        const auto   look   = [&](const int j) {
+          const double s = middle + j * dy;
+          if (s < 0 || s > column.length())
+            return false;
+          const SectionColumn::Point p = column.at(s);
+          const Vector3              P{p.position.x, p.position.y, Z};
+          const auto                 gap = wheel.distance(P, {0, 1, 0}, height);
+          if (!gap || *gap >= 0)
+            return false;
+          any = true;
+          points.push_back({P, *gap * *gap, column.line(s), rail_normal(p)});
+          return true;
+        };
+        for (int j = -half + 1; j < half; ++j)
+          look(j);
+        // from there on only as far as the overlap goes on: of profiles that lie into each other it is wide
+        for (int j = half; look(j); ++j)
+          ;
+        for (int j = -half; look(j); --j)
+          ;
         return any;
       };
       for (int i = 0; i < most && (add(i) || i == 0); ++i)
