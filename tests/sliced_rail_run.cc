@@ -289,7 +289,7 @@ namespace
     const auto give    = [&](const std::vector<SectionsSurface> &rail, const double place, const double on) {
       return rigid.height(rail, on, load) - touch - at("axle_height", place);
     };
-    const double more = give(rigid.wing, before, 0) - give(rigid.nose, behind, behind);
+    const double more = give(rigid.wing, before, before) - give(rigid.nose, behind, behind);
     const auto   step = [&](const double given) {
       return [&rigid, half, given](const double place) {
         return rigid.height(rigid.wing, place, half) - rigid.height(rigid.nose, place, half) - 0.5 * given;

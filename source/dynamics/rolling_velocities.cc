@@ -22,6 +22,7 @@ namespace wheelrail
     GuidedPath::Rate led{{axle.lateral_creepage, 0, 0}, {}};
     if (axle.path)
       led = axle.path->rate(0);
+    led.centre[1] += axle.rise;
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {
         const double *H = &gradient[9 * n];

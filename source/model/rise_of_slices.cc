@@ -264,7 +264,7 @@ namespace wheelrail
           return std::abs(height) > nothing;
         }))
       return list;
-    Irregularity shape  = rise_irregularity(grid, scene.rail_place, start, scene.rail_profile, notes);
+    Irregularity shape  = rise_irregularity(grid, scene.rail_place, start);
     shape.shortest      = 8 * least;
     const double beside = 30e-3; // the head around the contact
     shape.measures = measures_of(shape, profiles.contact.rail_x - beside, profiles.contact.rail_x + beside);

@@ -1,5 +1,4 @@
 #include <wheelrail/base/parallel.h>
-#include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/model/crossing_surface.h>
 #include <wheelrail/model/rise_over_section.h>
@@ -11,40 +10,6 @@
 
 namespace wheelrail
 {
-  namespace
-  {
-    /// Makes the surface keep the section of the start within the lead-in, where sections change there.
-    /// `origin`: of the path, along.
-    void
-    lead_into(Irregularity             &shape,
-              const HeightGrid         &grid,
-              const double              origin,
-              const std::string        &rail,
-              std::vector<std::string> &notes)
-    {
-      constexpr double even     = 1e-6;
-      double           at_start = 0;
-      for (const double x : grid.across)
-        for (const double u : {-lead_in.s0, 0., lead_in.s0})
-          at_start = std::max(at_start, std::abs(shape.at(x, origin + u).height));
-      if (at_start < even)
-        return;
-      shape.at = [whole = shape.at, origin](const double across, const double along) {
-        IrregularHeight h         = whole(across, along);
-        const auto [share, slope] = passing_over(std::abs(along - origin), lead_in.s0, lead_in.s1);
-        h.along                   = share * h.along + std::copysign(slope, along - origin) * h.height;
-        h.height *= share;
-        h.across *= share;
-        return h;
-      };
-      notes.push_back("Profiles/Rail = " + rail +
-                      ": its section changes where the run starts: the surface "
-                      "goes over to the slices between " +
-                      in_mm(lead_in.s0) + " and " + in_mm(lead_in.s1));
-    }
-  } // namespace
-
-
   std::vector<Foot>
   feet_of(const TouchingProfiles &profiles)
   {
@@ -78,17 +43,12 @@ namespace wheelrail
 
 
   Irregularity
-  rise_irregularity(const HeightGrid         &grid,
-                    const double              begin,
-                    const double              start,
-                    const std::string        &rail,
-                    std::vector<std::string> &notes)
+  rise_irregularity(const HeightGrid &grid, const double begin, const double start)
   {
     Irregularity shape = grid_irregularity(grid, -begin - start, 0, 0);
     shape.name         = "Profiles";
     shape.endless      = true;
     shape.kinks.clear(); // between slices the sections are interpolated
-    lead_into(shape, grid, -start, rail, notes);
     return shape;
   }
 
@@ -151,7 +111,7 @@ namespace wheelrail
       for (std::size_t row = 0; row < feet.size(); ++row)
         grid.height[row * n + k] = distance_from(feet[row], heights, top);
     });
-    Irregularity shape     = rise_irregularity(grid, scene.rail_place, start, scene.rail_profile, notes);
+    Irregularity shape     = rise_irregularity(grid, scene.rail_place, start);
     shape.shortest         = surface->shortest;
     shape.measures         = measures_of(shape, grid.across.front(), grid.across.back());
     shape.measures.touched = surface->slope;

@@ -13,6 +13,7 @@ namespace wheelrail
     : data_(data)
     , height_(hub_displacement)
     , hub_displacement_(hub_displacement)
+    , vertical_speed_(data.velocity * data.rise)
     , pitch_rate_(pitch_rate)
     , applied_torque_(data.torque)
     , communicator_(communicator)

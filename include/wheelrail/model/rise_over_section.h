@@ -11,10 +11,6 @@
 
 namespace wheelrail
 {
-  /// Within this distance of the start a rail by slices keeps its section [m]; from there on it goes over to
-  /// that of the slices, up to the second [m].
-  constexpr Range lead_in = {10e-3, 60e-3};
-
   /// A point of the smooth rail with its tangent and outward normal, in the section.
   struct Foot
   {
@@ -30,14 +26,9 @@ namespace wheelrail
   passing_over(double at, double from, double to);
 
   /// The irregularity of rises over the section of a mesh, whose rail begins at `begin` of the slices,
-  /// `start` behind the first contact of the wheel [m]. Where sections change there it keeps that section
-  /// within the lead-in, told with the name of the `rail`.
+  /// `start` behind the first contact of the wheel [m].
   Irregularity
-  rise_irregularity(const HeightGrid         &grid,
-                    double                    begin,
-                    double                    start,
-                    const std::string        &rail,
-                    std::vector<std::string> &notes);
+  rise_irregularity(const HeightGrid &grid, double begin, double start);
 
   /// How the surface of two rails beside each other (CrossingSurface) rises over its own section at the start
   /// of the path, along the normal of that section. Arguments as those of rise_of_slices().

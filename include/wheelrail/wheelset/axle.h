@@ -28,6 +28,7 @@ namespace wheelrail
     double  gravity          = 9.81;
     double  velocity         = 0;     ///< along Z, held
     double  lateral_creepage = 0;     ///< velocity along X over that along Z, held
+    double  rise             = 0;     ///< vertical velocity over that along Z at the start, on a slope
     bool    rate_held        = false; ///< the pitch rate keeps its start value
     double  torque           = 0;     ///< drive torque about `axis`, positive driving [N m]
 
