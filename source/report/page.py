@@ -113,7 +113,8 @@ def figure_rows(summary, figures):
 
 #: the results that stand at the top of a page, as far as there are such figures
 KEY_RESULTS = ["largest_vertical_force_N", "largest_vertical_force_at_m", "least_vertical_force_N",
-               "least_vertical_force_at_m", "impact_factor", "contact_loss_m", "largest_pressure_Pa",
+               "least_vertical_force_at_m", "first_rail_force_N", "first_rail_force_at_m", "second_rail_force_N",
+               "second_rail_force_at_m", "impact_factor", "contact_loss_m", "largest_pressure_Pa",
                "largest_pressure_at_m", "von_mises_on_way_Pa", "von_mises_on_way_at_m", "plastic_strain_on_way",
                "plastic_strain_on_way_at_m", "axle_acceleration_up_m_per_s2", "axle_acceleration_down_m_per_s2",
                "vertical_force_N", "lateral_force_N", "lateral_over_vertical", "longitudinal_force_N", "max_pressure_Pa",
