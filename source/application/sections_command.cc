@@ -340,10 +340,9 @@ namespace wheelrail
     const std::filesystem::path &folder = held.path();
     const double                 load   = static_wheel_load(scene, sections.wheel);
     print_head(scene, load, out);
-    if (scene.drive == Drive::torque && scene.traction_coefficient != 0)
+    if (scene.drive == Drive::torque)
       out << "note: a wheel on rails by slices turns at velocity over nominal radius; Wheelset/Traction "
-             "coefficient "
-             "has no effect\n";
+             "coefficient has no effect\n";
     TaskCount                count("places", sections.places.size(), 0, out);
     const SectionRolling     rolling = rolling_of(scene);
     std::vector<PlaceResult> results(sections.places.size());
