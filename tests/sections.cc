@@ -120,9 +120,13 @@ namespace
                (surface.at(0, 0.1501).n - surface.at(0, 0.1499).n) / 2e-4,
                1e-6,
                "slope along");
-    scene.rail_place = -0.06; // in the dip
-    check(std::abs(make_geometry(scene).surfaces.rail.at(0, 0.009).n) < 1e-9,
-          "the run leads into the slices");
+    scene.rail_place              = -0.06; // in the dip
+    const RunningSurface on_slope = make_geometry(scene).surfaces.rail;
+    const auto           depth = [](const double z) { return std::pow(std::cos(M_PI * z / 0.2), 4) * 1e-3; };
+    check_near(1e6 * (on_slope.at(0, 0.009).n - on_slope.at(0, 0).n),
+               1e6 * (depth(-0.06) - depth(-0.051)),
+               0.5,
+               "the run starts on the slope of the slices [um]");
   }
 
   /// The head `low` below the running circle, behind a gap of 6 mm [mm].
