@@ -128,9 +128,10 @@ namespace
             {},
             out);
     const std::string table = read_whole_file(at.string() + "-halfspace/places.csv");
+    const std::string what  = scene + ", shift " + shift + ": trusted";
     for (std::size_t end = table.find('\n', table.find('\n') + 1); end != std::string::npos;
          end             = table.find('\n', end + 1))
-      check_near(table[end - 1] - '0', trusted, 0, scene + ", shift " + shift + ": trusted");
+      check_near(table[end - 1] - '0', trusted, 0, what);
     return out.str();
   }
 
