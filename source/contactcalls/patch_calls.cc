@@ -49,7 +49,7 @@ namespace
     for (int j = 0; j < s.grid.my; ++j)
       for (int i = 0; i < s.grid.mx; ++i)
         {
-          const double p = s.pressure[std::size_t(i + s.grid.mx * j)];
+          const double p = s.pressure[std::size_t(s.grid.mx) * j + i];
           sum += p;
           x += p * s.grid.x(i);
           y += p * s.grid.y(j);
