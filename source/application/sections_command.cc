@@ -246,28 +246,31 @@ namespace wheelrail
         "normal_force_N N, force_along_N N, force_lateral_N N, force_vertical_N N, max_pressure_Pa Pa, "
         "area_m2 m2, approach_m m, rolling_radius_m m, creepage 1, lateral_creepage 1, trusted 1");
       for (std::size_t k = 0; k < results.size(); ++k)
-        for (const SectionPatch &p : results[k].contacts.patches)
-          {
-            const Vector3 force = p.force();
-            table.add_row({sections.places[k],
-                           -results[k].contacts.height,
-                           static_cast<double>(p.rail + 1),
-                           -p.reference[0],
-                           p.reference[1],
-                           sections.posed.ahead(p.reference),
-                           p.angle,
-                           p.normal_force(),
-                           force[2],
-                           force[0],
-                           -force[1],
-                           p.solution.peak_pressure,
-                           p.solution.contact_elements * p.problem.grid.element_area(),
-                           p.approach,
-                           p.radius,
-                           p.solution.xi,
-                           p.solution.eta,
-                           doubts_of(results[k], scene).empty() ? 1. : 0.});
-          }
+        {
+          const double trusted = doubts_of(results[k], scene).empty() ? 1 : 0;
+          for (const SectionPatch &p : results[k].contacts.patches)
+            {
+              const Vector3 force = p.force();
+              table.add_row({sections.places[k],
+                             -results[k].contacts.height,
+                             static_cast<double>(p.rail + 1),
+                             -p.reference[0],
+                             p.reference[1],
+                             sections.posed.ahead(p.reference),
+                             p.angle,
+                             p.normal_force(),
+                             force[2],
+                             force[0],
+                             -force[1],
+                             p.solution.peak_pressure,
+                             p.solution.contact_elements * p.problem.grid.element_area(),
+                             p.approach,
+                             p.radius,
+                             p.solution.xi,
+                             p.solution.eta,
+                             trusted});
+            }
+        }
       return table;
     }
 

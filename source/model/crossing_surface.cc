@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wheelrail
 {
@@ -127,9 +128,9 @@ namespace wheelrail
   {
     double share = 1;
     if (rail.ends.s0 > slices_.s0)
-      share *= passing_over(place - rail.ends.s0, 0, rail.sinks).first;
+      share *= passing_over(place - rail.ends.s0, 0, rail.sinks);
     if (rail.ends.s1 < slices_.s1)
-      share *= passing_over(rail.ends.s1 - place, 0, rail.sinks).first;
+      share *= passing_over(rail.ends.s1 - place, 0, rail.sinks);
     return 2 * below * (1 - share);
   }
 

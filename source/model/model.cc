@@ -73,15 +73,6 @@ namespace wheelrail
       return axle;
     }
 
-    /// Slope along the track on which the rigid wheel stands at the start, along the normal of the section:
-    /// the highest S(s, z) over the wheel rises as S does at the s where they touch, which is 0 (envelope).
-    double
-    slope_at_start(const RunningSurface &rail)
-    {
-      constexpr double half = 1e-3;
-      return (rail.at(0, half).n - rail.at(0, -half).n) / (2 * half);
-    }
-
     /// The sprung mass that brings the wheel load of the scene on the rail, with `unsprung` [kg] of wheel and
     /// half axle.
     double
@@ -289,8 +280,10 @@ namespace wheelrail
               Model                         &model,
               MPI_Comm                       communicator)
     {
-      model.axle      = make_axle(scene, model.contact->surfaces().pose());
-      model.axle.rise = slope_at_start(model.contact->surfaces().rail) / std::cos(geometry.contact.angle);
+      model.axle = make_axle(scene, model.contact->surfaces().pose());
+      // the highest S(s, z) over the wheel rises as S does where they touch, at s = 0 (envelope)
+      model.axle.rise =
+        model.contact->surfaces().rail.at(0, 0).slope_along / std::cos(geometry.contact.angle);
       const double unsprung =
         scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
       if (scene.wheel_load > 0)

@@ -116,7 +116,7 @@ namespace wheelrail
           return of(sliced_.rails.back(), place);
         std::vector<double>       rise   = of(sliced_.rails.front(), gap.s0);
         const std::vector<double> behind = of(sliced_.rails.back(), gap.s1);
-        const double              share  = passing_over(place, gap.s0, gap.s1).first;
+        const double              share  = passing_over(place, gap.s0, gap.s1);
         for (std::size_t i = 0; i < rise.size(); ++i)
           rise[i] += share * (behind[i] - rise[i]);
         return rise;

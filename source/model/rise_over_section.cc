@@ -34,11 +34,11 @@ namespace wheelrail
   }
 
 
-  std::pair<double, double>
+  double
   passing_over(const double at, const double from, const double to)
   {
-    const double length = to - from, t = std::clamp((at - from) / length, 0., 1.);
-    return {t * t * t * (10 - t * (15 - 6 * t)), 30 * t * t * (1 - t) * (1 - t) / length};
+    const double t = std::clamp((at - from) / (to - from), 0., 1.);
+    return t * t * t * (10 - t * (15 - 6 * t));
   }
 
 

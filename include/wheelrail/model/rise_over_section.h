@@ -6,7 +6,6 @@
 #include <wheelrail/scene/scene.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -21,8 +20,8 @@ namespace wheelrail
   std::vector<Foot>
   feet_of(const TouchingProfiles &profiles);
 
-  /// 0 up to `from`, 1 from `to` on, and the slope of what goes over smoothly between them.
-  std::pair<double, double>
+  /// 0 up to `from`, 1 from `to` on, smoothly between them.
+  double
   passing_over(double at, double from, double to);
 
   /// The irregularity of rises over the section of a mesh, whose rail begins at `begin` of the slices,
