@@ -5,7 +5,9 @@
 #include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/run/run_end.h>
+#include <wheelrail/sampling/creep_scale.h>
 #include <wheelrail/verdict/verdict.h>
 
 #include "check.h"
@@ -113,7 +115,8 @@ namespace
     check(!std::isfinite(interval_of("lateral_force", 0, few).low), "nor what neither run has");
   }
 
-  /// Plastic strain has an estimate where enough cells lie across the patch; the area lies too high.
+  /// Plastic strain has an estimate where enough cells lie across the patch; the area lies too high, the
+  /// width, too; creepage and T-gamma near nought have the error of a quarter of half saturation.
   void
   test_yielding()
   {
@@ -121,14 +124,25 @@ namespace
     run.max_pressure       = 1e9;
     run.max_plastic_strain = 4e-3;
     run.contact_area       = 1e-4;
-    Measures m             = good();
-    m.plastic_strain       = 4e-3;
+    run.patch_lateral = run.patch_longitudinal = 12e-3;
+    run.normal_force                           = 1e5;
+    run.lateral_force                          = 5e3;
+    run.longitudinal_force                     = 25e3;
+    run.creepage                               = 2e-3;
+    run.stick_fraction                         = 0.97;
+    const double t_gamma                       = 50;
+    set_figure(run, "t_gamma_N", t_gamma);
+    Scene scene;
+    scene.cell_size  = 1.5e-3;
+    Measures m       = good();
+    m.plastic_strain = 4e-3;
     for (const auto &[cells, high, known] :
-         {std::tuple<double, double, const char *>{10, 5.4e-3, "area, plastic strain and residual stress by"},
-          {5, std::nan(""), "Intervals: peak pressure and area by estimate"}})
+         {std::tuple<double, double, const char *>{
+            10, 5.4e-3, "area, extents, creep, plastic strain and residual stress by"},
+          {5, std::nan(""), "Intervals: peak pressure, area, extents, creep by estimate"}})
       {
         m.cells                    = cells;
-        const Contributions causes = run_contributions(Scene(), run, m, {}, {}, {});
+        const Contributions causes = run_contributions(scene, run, m, {}, {}, {});
         const Interval      strain = interval_of("max_plastic_strain", run.max_plastic_strain, causes);
         check(std::isnan(high) ? std::isnan(strain.high) : std::abs(strain.high - high) < 1e-9,
               "3.5/n above the strain of n cells, of few none");
@@ -136,8 +150,37 @@ namespace
         const double   lost = 0.5 * m.lost(false) * run.contact_area;
         check_near((area.low - run.contact_area) / lost, -1.75, 1e-9, "area from 1.75 L below");
         check_near((area.high - run.contact_area) / lost, 0.25, 1e-9, "to 0.25 L above");
-        holds(without_intervals(Scene(), m, {}, {}), known, "what has an interval");
+        const auto reaches = [&](const char *name, const double value, const double low, const double high) {
+          const Interval interval = interval_of(name, value, causes);
+          check_near(interval.low - value, low, 1e-9 * std::abs(value), std::string(name) + " from");
+          check_near(interval.high - value, high, 1e-9 * std::abs(value), std::string(name) + " to");
+        };
+        reaches("patch_longitudinal", 12e-3, -0.45 * 1.5e-3, 0.45 * 1.5e-3);
+        reaches("patch_lateral", 12e-3, -1.5e-3, 0.75e-3);
+        reaches("lateral_force", 5e3, -0.1e5 / cells, 0.1e5 / cells);
+        reaches("stick_fraction", 0.97, -0.5 / cells, 0.03);
+        reaches("creepage", 2e-3, -2.2e-3 / cells, 2.2e-3 / cells);
+        reaches("t_gamma", t_gamma, -1.4 * t_gamma / cells, t_gamma / cells);
+        holds(without_intervals(scene, m, {}, {}), known, "what has an interval");
       }
+    // near nought, and where the creepage is given: slope of the creep curve at its start
+    const CreepScale patch =
+      creep_scale(0.5e5, elasticity(scene.rail_material).shear_modulus(), 12e-3, 12e-3);
+    run.creepage           = 1e-6;
+    run.longitudinal_force = 1e-3;
+    m.cells                = 10;
+    const double open      = 0.11 * 0.25 * patch.half_saturation();
+    check_near(interval_of("creepage", 1e-6, run_contributions(scene, run, m, {}, {}, {})).high - 1e-6,
+               open,
+               1e-6 * open,
+               "a creepage near nought");
+    scene.drive               = Drive::rate;
+    const Contributions given = run_contributions(scene, run, m, {}, {}, {});
+    check(std::isnan(interval_of("creepage", 1e-6, given).low), "a given creepage has no interval");
+    check_near(interval_of("longitudinal_force", 1e-3, given).high,
+               patch.stiffness * open,
+               1e-4 * patch.stiffness * open,
+               "its force has");
   }
 
   /// A quiet run whose figures are those of half-spaces, judged as a run is at its end.

@@ -17,8 +17,8 @@ namespace wheelrail
   /// What is known of the results of a run. Noise and trend of its series are two of their errors. What cells
   /// and penalty layer make of it is the difference to the true bodies, `against_bodies` from
   /// measure_against_bodies(). Where these are no reference, `two_meshes` are, if they are not empty; else
-  /// peak pressure and area have an estimate, over irregular surfaces the largest force, and forces that
-  /// balances give have noise and trend.
+  /// peak pressure and area have an estimate, of steel that yields extents and creep, too, over irregular
+  /// surfaces the largest force, and forces that balances give have noise and trend.
   Contributions
   run_contributions(const Scene         &scene,
                     const Summary       &run,
