@@ -105,7 +105,8 @@ namespace
        "8: \"1.5-2.5\" are numbers without a blank between them: separate them"},
       {basic,
        {{"0.4013  0.4013", "        0.4013"}},
-       "9: \"180.d\" stands where FKIN should; a number is needed"},
+       "8: FKIN is missing: \"FSTAT\" stands in its place, and \"180.d\" begins line 9, where it could "
+       "follow"},
       {basic, {{"100.0", "100.5"}}, "6: MAXIN = 100.5 is no integer"},
       {basic,
        {{"180.d", "180.x"}},
@@ -174,7 +175,7 @@ namespace
        "23: M = 4 has no constants: C = 0 keeps those of M = 0; set C = 2 and state them"},
       {basic,
        {{"  022020 ", "  022120 "}},
-       "13: more numbers than FG1 FG2 TC1 TC2 take, which begin in line 11: a value is missing there, or "
+       "11: FG1 FG2 TC1 TC2 go on to line 13, which has more numbers than they take: a value is missing, or "
        "digits ask for other values"},
       {basic,
        {{"  203120\n  400000", "  202120\n  400100"}},
@@ -185,11 +186,14 @@ namespace
       {basic,
        {{"  022020 ", "  024020 "}, {"   .28     .27 ", " 1 3 2\n 1 0\n 1 0.1\n .28 .27 "}},
        "12: Y of the surface of C = 4 does not ascend"},
-      {basic, {{"  022020 ", "  622020 "}}, "9: \"180.d\" stands where DFHEAT should; a number is needed"},
+      {basic,
+       {{"  022020 ", "  622020 "}},
+       "8: DFHEAT is missing: \"FSTAT\" stands in its place, and \"180.d\" begins line 9, where it could "
+       "follow"},
       {basic,
        {{"0001341 ", "3001341 "}},
-       "13: more numbers than BKTEMP HEATCP LAMBDA DENS take, which begin in line 11: a value is missing "
-       "there, or digits ask for other values"},
+       "11: BKTEMP HEATCP LAMBDA DENS go on to line 13, which has more numbers than they take: a value is "
+       "missing, or digits ask for other values"},
       {basic,
        {{"  203120\n  400000", "  203120\n 3100000"}},
        "23: the digit V may not change where L = 1 keeps the friction of the case before"},
@@ -200,11 +204,14 @@ namespace
       {wheel_rail, {{" 1203110", " 1203010"}}, "3: F = 1 (FX_WS given) needs N = 1 (force given)"},
       {wheel_rail,
        {{" 1022033", " 1022023"}},
-       "14: \"contact_inp_file\\rail of 54.prr\" stands where VZRAIL should; a number is needed"},
+       "13: VZRAIL is missing: \"GAUGHT\" stands in its place, and \"contact_inp_file\\rail of 54.prr\" "
+       "begins "
+       "line 14, where it could follow"},
       {wheel_rail,
        {{" 1022033", " 1022032"}},
-       "18: \"contact_inp_file/wheel.prw\" stands where ROLL should; an angle such as 0.02 (rad) or 1.5d "
-       "(degrees) is needed"},
+       "17: ROLL is missing: the line ends, and \"contact_inp_file/wheel.prw\" begins line 18, where it "
+       "could "
+       "follow"},
       {wheel_rail,
        {{" 1203100\n 1111002", " 1002100\n 1121002"}},
        "26: DX, DS and DQREL, the size of the elements and of a step, are not positive"},
@@ -218,7 +225,9 @@ namespace
       {basic,
        {{"  022020 ", "  422020 "}, {"0.4013  0.4013 ", "0.2 0.1 0 0 0\n 0 1 %"}},
        "8: SH1 or SH2, at which half of a term of the friction law is gone, is not positive"},
-      {basic, {{"-4.1 -4.2", "MX   4.2"}}, "13: \"MX\" stands where XL should; a number is needed"},
+      {basic,
+       {{"-4.1 -4.2", "MX   4.2"}},
+       "12: XL is missing: the line ends, and \"MX\" begins line 13, where it could follow"},
       {basic, {{"   470.5,", "  -470.5,"}}, "7: FN is negative; a force that presses counts positive"},
       {basic,
        {{"0.4013  0.4013", "0.4013  0.4   "}},

@@ -1,9 +1,10 @@
 // label: fast
 
-// Input files of CONTACT: the values of small files for both modules, those that later cases keep, and the
-// refusal of what is not computed.
+// Input files of CONTACT: the values of small files for both modules, those that later cases keep, damaged
+// numbers and decimal commas, and the refusal of what is not computed.
 
 #include "contact_inputs.h"
+#include "messages.h"
 
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/inp_file.h>
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace wheelrail;
@@ -135,6 +137,73 @@ namespace
           "points below the surface");
   }
 
+  /// What is said of an input, or that nothing is.
+  std::string
+  message_of(const std::string &text)
+  {
+    return test::message_of([&]() { read_inp_text(text, "x.inp"); });
+  }
+
+  /// Inputs, and the line and message of the fault of each.
+  void
+  check_faults(const std::vector<std::pair<std::string, std::string>> &faults)
+  {
+    for (const auto &[text, expected] : faults)
+      check_text(message_of(text), "x.inp:" + expected, expected);
+  }
+
+  /// The line of a damaged number is told, though values may go on in the next lines with values.
+  void
+  test_damaged_numbers()
+  {
+    const std::string apart = replaced(basic, "   0.4013  0.4013", "% a\n% b\n\n   0.4013  0.4013");
+    check_faults({
+      {replaced(apart, ".28     .27 ", ".28     .2o7"),
+       "13: \".2o7\" stands where POISS2 should; a number is needed"},
+      {replaced(apart, "0.4013               FSTAT, FKIN\n", "O.4013  FSTAT, FKIN\n% c\n% d\n% e\n"),
+       "11: FKIN is missing: \"O.4013\" stands in its place, and \"180.d\" begins line 15, where it could "
+       "follow"},
+      {replaced(basic, "   1 2 3  heights", "   1 2.5mm 3"),
+       "16: \"2.5mm\" stands where the undeformed distance of IBASE = 9, value 2 of 6 should; a number is "
+       "needed"},
+    });
+  }
+
+  /// CONTACT separates numbers by commas. What can only be meant as decimal commas is refused.
+  void
+  test_decimal_commas()
+  {
+    const std::string advice = " need; write a decimal point, or a blank behind a comma between two numbers";
+    check_faults({
+      {replaced(basic, "0.4013  0.4013", "0,4013  0,4013"),
+       "8: \"0,4013\" reads as two numbers, 0 and 4013, and the line has more numbers than FSTAT FKIN" +
+         advice},
+      {replaced(basic, "   470.5, -0.00304, 0, 1e-4", "   470,5 -0.00304 0 1e-4"),
+       "7: \"470,5\" reads as two numbers, 470 and 5, and the line has more numbers than FN CKSI CETA CPHI "
+       "{SPINXO} {SPINYO}" +
+         advice},
+      {replaced(basic, "180.d   0.2  ", "180.d   0,2  "),
+       "9: \"0,2\" reads as two numbers, 0 and 2, and the line has more numbers than CHI DQ VELOC "
+       "{FACPHI}" +
+         advice},
+      {replaced(basic, "-4.1 -4.2  % xl, yl\n   0.2  0.3", "-4,1 -4.2  % xl, yl\n   0.2  0.3"),
+       "13: \"-4,1\" reads as two numbers, -4 and 1, and the line has more numbers than MX MY XL YL DX DY" +
+         advice},
+      {replaced(basic, "   4 5\n", "   4,5 5 6\n"),
+       "17: \"4,5\" reads as two numbers, 4 and 5, and the line has more numbers than the undeformed "
+       "distance of IBASE = 9" +
+         advice},
+    });
+    for (const auto &[from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"   3    2    % mx", "   3,2  % mx"},
+           {"-4.1 -4.2", "-4,-5"},
+           {"   470.5, -0.00304, 0, 1e-4", "470,0,0,1e-4,0,1"},
+           {"   1 2 3  heights\n   4 5\n\n   6 7 8", "1,2\n3,4\n5,6"},
+           {"0.4013  0.4013", "0.4013,0.4013,0.5"},
+           {"0.4013  0.4013", "1, 1 2"}})
+      check_text(message_of(replaced(basic, from, to)), "no message", "commas that CONTACT reads: " + to);
+  }
+
   void
   test_refusals()
   {
@@ -170,6 +239,8 @@ main()
   test_basic(other, "CR LF and tabs");
   test_wheel_rail();
   test_points();
+  test_damaged_numbers();
+  test_decimal_commas();
   test_refusals();
   return test::report();
 }

@@ -36,6 +36,15 @@ namespace wheelrail
       return false;
     }
 
+    /// A word that begins as a number with a point and is none: 0.28o, 4.1mm.
+    bool
+    is_damaged(const std::string &word)
+    {
+      const std::size_t point = word.find_first_not_of("0123456789", word.find_first_not_of("+-"));
+      return !fortran_number(word) && point != std::string::npos && word[point] == '.' &&
+             point + 1 < word.size() && is_digit(word[point + 1]);
+    }
+
     bool
     is_integer(const double value)
     {
@@ -93,13 +102,14 @@ namespace wheelrail
       {
                     if (line[k] == '%')
           break;
-        const std::size_t close = line[k] == '\'' ? line.find('\'', k + 1) : std::string::npos;
+        const bool        joined = k > 1 && line[k - 1] == ',' && !found.empty() && found.back().end == k - 1;
+                    const std::size_t close  = line[k] == '\'' ? line.find('\'', k + 1) : std::string::npos;
                     const std::size_t end =
           close != std::string::npos ? close : std::min(line.find_first_of(" \t,=%", k), line.size());
                     if (close != std::string::npos)
-          found.push_back({line.substr(k + 1, end - k - 1), true, end});
+          found.push_back({line.substr(k + 1, end - k - 1), true, end, joined});
         else
-          found.push_back({line.substr(k, end - k), false, end});
+          found.push_back({line.substr(k, end - k), false, end, joined});
         k = close != std::string::npos ? close + 1 : end;
       }
     return found;
@@ -148,6 +158,55 @@ namespace wheelrail
     return *number;
   }
 
+  bool
+  InpWords::is_value(const char kind, const std::size_t most) const
+  {
+    if (at >= std::min(words.size(), most) || words[at].quoted != (kind == '\''))
+      return false;
+    return kind == '\'' || (kind == '@' ? contact_angle(words[at].text) : fortran_number(words[at].text));
+  }
+
+  /// Turns to the next line for the required value `name`, which the line before does not hold.
+  void
+  InpWords::go_on(const char kind, const std::string &name, const std::string &names)
+  {
+    const unsigned int ended = line();
+    const std::string  found =
+      at < words.size() ? "\"" + shown_text(words[at].text, 40) + "\" stands in its place" : "the line ends";
+    if (at < words.size() && (is_glued(words[at].text) || is_damaged(words[at].text)))
+      value_of(words[at], kind, name);
+    next_line(names);
+    const std::string &word = words[0].text;
+    if (!is_value(kind, group_words) && (words[0].quoted || !(is_glued(word) || is_damaged(word))))
+      fail(ended,
+           name + " is missing: " + found + ", and \"" + shown_text(word, 40) + "\" begins line " +
+             std::to_string(line()) + ", where it could follow");
+  }
+
+  /// Keeps that the next two words may be one number with a decimal comma, such as 0,5: a whole number and
+  /// digits, joined by a comma, and no others to them.
+  void
+  InpWords::note_decimal_comma()
+  {
+    if (at + 1 >= words.size() || words[at].joined || !words[at + 1].joined ||
+        (at + 2 < words.size() && words[at + 2].joined))
+      return;
+    const std::string &whole = words[at].text, &digits = words[at + 1].text;
+    if (whole.find_first_not_of("0123456789", whole.find_first_of("+-") == 0 ? 1 : 0) == std::string::npos &&
+        is_digit(digits[0]) && digits.find('.') == std::string::npos && contact_angle(digits))
+      decimal = wheelrail::place(file, line()) + "\"" + whole + "," + digits + "\" reads as two numbers, " +
+                whole + " and " + digits;
+  }
+
+  /// Called when more numbers stand in the line than `names` need.
+  void
+  InpWords::check_decimal_comma(const std::string &names) const
+  {
+    if (!decimal.empty())
+      throw InputError(decimal + ", and the line has more numbers than " + names +
+                       " need; write a decimal point, or a blank behind a comma between two numbers");
+  }
+
   void
   InpWords::check_rest(const std::string &names, const unsigned int first_line)
   {
@@ -159,10 +218,11 @@ namespace wheelrail
            "\"" + shown_text(word, 40) + "\" are numbers without a blank between them: separate them");
     if (!fortran_number(word))
       return;
+    check_decimal_comma(names);
     if (line() != first_line)
-      fail(line(),
-           "more numbers than " + names + " take, which begin in line " + std::to_string(first_line) +
-             ": a value is missing there, or digits ask for other values");
+      fail(first_line,
+           names + " go on to line " + std::to_string(line()) +
+             ", which has more numbers than they take: a value is missing, or digits ask for other values");
     notes.push_back(wheelrail::place(file, line()) + "the numbers from " + word + " on are not read; " +
                     names + " stand before them");
   }
@@ -178,6 +238,7 @@ namespace wheelrail
                 shown.end());
     next_line(shown);
     result.line = line();
+    decimal.clear();
     for (std::string name : split_list(names, ' '))
       {
         const bool optional = name[0] == '{';
@@ -186,21 +247,12 @@ namespace wheelrail
         const char kind = std::string("#@'").find(name[0]) != std::string::npos ? name[0] : ' ';
         if (kind != ' ')
           name.erase(0, 1);
-        const auto is_value = [&]() {
-          return at < std::min(words.size(), group_words) &&
-                 (kind == '\'' ? words[at].quoted
-                               : !words[at].quoted && (kind == '@' ? contact_angle(words[at].text)
-                                                                   : fortran_number(words[at].text)));
-        };
-        if (!is_value())
-          {
-            if (optional)
-              break;
-            if (at < words.size() && at > 0 && is_glued(words[at].text))
-              value_of(words[at], kind, name);
-            if (at > 0)
-              next_line(shown);
-          }
+        if (optional && !is_value(kind, group_words))
+          break;
+        if (optional)
+          check_decimal_comma(shown);
+        else if (at > 0 && !is_value(kind, group_words))
+          go_on(kind, name, shown);
         if (kind == '\'')
           {
             if (!words[at].quoted)
@@ -211,6 +263,8 @@ namespace wheelrail
           }
         else
           result.values.push_back(value_of(words[at], kind, name));
+        if (kind != '#')
+          note_decimal_comma();
         ++at;
       }
     check_rest(shown, result.line);
@@ -224,14 +278,16 @@ namespace wheelrail
     while (result.values.size() < count)
       {
         next_line(name);
+        decimal.clear();
         if (result.values.empty())
           result.line = line();
         for (; at < std::min(words.size(), array_words) && result.values.size() < count; ++at)
           {
             const std::string &word = words[at].text;
-            if (at > 0 && (words[at].quoted ||
-                           (!(angles ? contact_angle(word) : fortran_number(word)) && !is_glued(word))))
+            if (at > 0 && (words[at].quoted || (!is_value(angles ? '@' : ' ', array_words) &&
+                                                !is_glued(word) && !is_damaged(word))))
               break;
+            note_decimal_comma();
             result.values.push_back(value_of(words[at],
                                              angles ? '@' : ' ',
                                              name + ", value " + std::to_string(result.values.size() + 1) +
@@ -240,6 +296,8 @@ namespace wheelrail
         if (at == array_words && at < words.size() && fortran_number(words[at].text) &&
             result.values.size() < count)
           fail(line(), "more than the 50 numbers that CONTACT reads of a line; write them in several lines");
+        if (result.values.size() == count && is_value(' ', array_words))
+          check_decimal_comma(name);
       }
     return result;
   }

@@ -90,7 +90,8 @@ namespace wheelrail
     {
       std::string text;
       bool        quoted = false;
-      std::size_t end    = 0; ///< in its line
+      std::size_t end    = 0;     ///< in its line
+      bool        joined = false; ///< to the word before by a comma without blanks
     };
 
     std::vector<Word>
@@ -99,8 +100,20 @@ namespace wheelrail
     void
     next_line(const std::string &needed);
 
+    bool
+    is_value(char kind, std::size_t most) const;
+
     double
     value_of(const Word &word, char kind, const std::string &name) const;
+
+    void
+    go_on(char kind, const std::string &name, const std::string &names);
+
+    void
+    note_decimal_comma();
+
+    void
+    check_decimal_comma(const std::string &names) const;
 
     void
     check_rest(const std::string &names, unsigned int first_line);
@@ -110,5 +123,6 @@ namespace wheelrail
     std::size_t       next = 0; ///< line
     std::vector<Word> words;    ///< of the line before `next`
     std::size_t       at = 0;   ///< the next of them
+    std::string       decimal;  ///< what may be a number with a decimal comma in the values read last
   };
 } // namespace wheelrail
