@@ -17,17 +17,19 @@ using test::check_near;
 
 namespace
 {
-  /// Spheres of steel on each other: 100 kN on a relative radius of 0.46 m.
+  /// Spheres of steel on each other: 100 kN on a relative radius of 0.46 m, or all lengths `size` times as
+  /// large under the same pressure.
   WheelRailSolution
-  sphere(const double traction)
+  sphere(const double traction, const double size = 1)
   {
     Scene scene;
     scene.halfspace_distance      = "hertz";
-    scene.halfspace_radius_along  = 0.46;
-    scene.halfspace_radius_across = 0.46;
-    scene.halfspace_normal_force  = 100e3;
-    scene.traction_coefficient    = traction;
-    const SceneGeometry geometry  = make_geometry(scene);
+    scene.halfspace_radius_along  = 0.46 * size;
+    scene.halfspace_radius_across = 0.46 * size;
+    scene.halfspace_normal_force  = 100e3 * size * size;
+    scene.halfspace_element_size *= size;
+    scene.traction_coefficient   = traction;
+    const SceneGeometry geometry = make_geometry(scene);
     return solve_given_distance(scene, &geometry);
   }
 
@@ -54,6 +56,20 @@ namespace
     const Slice &rail = named(stresses, "AA_rail");
     check_near(rail.offset, 0, 1e-12, "AA goes through the first contact point [m]");
     check_near(rail.depth.back(), 15e-3, 0.2e-3, "deepest point [m]");
+  }
+
+  /// The same over p0 in a contact of any size: of a ball of 5 mm, of a dome of 46 m.
+  void
+  test_sizes()
+  {
+    for (const double size : {0.011, 100.})
+      {
+        const HalfspaceStresses stresses = halfspace_stresses(sphere(0, size));
+        const std::string       name     = "sphere " + std::to_string(size) + " times as large: ";
+        check_near(
+          stresses.subsurface_von_mises / 1067.81e6, 0.620, 0.003, name + "largest von Mises over p0");
+        check_near(stresses.subsurface_depth / (6.6869e-3 * size), 0.481, 0.01, name + "its depth over a");
+      }
   }
 
   /// Where the surface is loaded, sigma N is the traction that acts on it: on the rail the one of the patch,
@@ -121,6 +137,7 @@ int
 main()
 {
   test_sphere();
+  test_sizes();
   test_surface();
   test_traction();
   return test::report();

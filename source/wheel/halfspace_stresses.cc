@@ -31,16 +31,19 @@ namespace wheelrail
         component(0, 0), component(1, 1), component(2, 2), component(1, 2), component(0, 2), component(0, 1)};
     }
 
+    /// Below a patch with the shorter extent `extent` [m]. The largest stress lies 0.24 (of a circle) to 0.39
+    /// (of a strip) of it deep (Johnson 1985, 3.4 and 4.2).
     std::vector<double>
-    layer_depths(const HalfspaceGrid &grid)
+    layer_depths(const HalfspaceGrid &grid, const double extent)
     {
       // finer layers would cost time and show nothing: below the surface the stresses are smooth, and the
       // deeper the smoother. What falls with the square of the depth is off by 0.2 % midway between layers
       constexpr double    growth = 0.05;
-      const double        least  = std::max(0.2e-3, 0.5 * std::min(grid.dx, grid.dy));
+      const double        least  = std::max(std::min(0.2e-3, extent / 16), 0.5 * std::min(grid.dx, grid.dy));
+      const double        last   = std::max(depth_of_slices, 0.75 * extent);
       std::vector<double> depths{0};
-      while (depths.back() < depth_of_slices * (1 - 1e-9))
-        depths.push_back(std::min(depth_of_slices, depths.back() + std::max(least, growth * depths.back())));
+      while (depths.back() < last * (1 - 1e-9))
+        depths.push_back(std::min(last, depths.back() + std::max(least, growth * depths.back())));
       return depths;
     }
 
@@ -143,8 +146,9 @@ namespace wheelrail
   halfspace_stresses(const WheelRailSolution &result)
   {
     const HalfspaceSolution  &solution = result.solution;
-    const std::vector<double> depths   = layer_depths(solution.grid);
-    const std::vector<CutRow> rows     = rows_of(solution);
+    const std::vector<double> depths =
+      layer_depths(solution.grid, std::min(result.measures.width, result.measures.length));
+    const std::vector<CutRow> rows = rows_of(solution);
     HalfspaceStresses         stresses;
     SubsurfaceLayers          layers(solution, result.problem.body1, result.problem.body2);
     constexpr Body            bodies[] = {Body::rail, Body::wheel};

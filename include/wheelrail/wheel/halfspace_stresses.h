@@ -26,8 +26,8 @@ namespace wheelrail
     Body   subsurface_body = Body::rail;
   };
 
-  /// Computes them (SubsurfaceLayers) at the element centres, every half element but not below every 0.2 mm,
-  /// down to 15 mm.
+  /// Computes them (SubsurfaceLayers) at the element centres, every half element but not below every 0.2 mm
+  /// or 16th of the shorter extent of the patch, down to 15 mm or three quarters of that extent.
   HalfspaceStresses
   halfspace_stresses(const WheelRailSolution &result);
 } // namespace wheelrail
