@@ -282,6 +282,31 @@ namespace
             noise_effect(input.scene, geometry, 100e3).peak};
   }
 
+  // A gap below the contact hides where the crown of 300 mm goes over to 80 mm: what the bridge leaves open
+  // is said. One beside the contact leaves nothing open.
+  void
+  test_gaps()
+  {
+    const auto with = [](const double from, const double to) {
+      std::vector<Point2> points;
+      for (const Point2 &p : head())
+        if (p.x < from || p.x > to)
+          points.push_back(p);
+      return peak_and_noise_effect(ProfileKind::rail, columns(points));
+    };
+    const double exact = with(0, 0).first;
+    for (const double to : {-6e-3, -10e-3})
+      {
+        const auto [peak, effect] = with(-14e-3, to);
+        const std::string name = "gap from -14 to " + std::to_string(1e3 * to) + " mm, below the contact: ";
+        check(effect > 0.05, name + "moves the peak pressure by " + std::to_string(100 * effect) + " %");
+        check_near(peak / exact, 1, std::min(effect, 0.05), name + "peak pressure over the exact one");
+      }
+    const auto [peak, effect] = with(14e-3, 20e-3);
+    check_near(effect, 0, 0.01, "a gap beside the contact: what it moves the peak pressure by");
+    check_near(peak / exact, 1, 0.005, "a gap beside the contact: peak pressure over the exact one");
+  }
+
   // The peak with noisy points differs from the exact one by less than is said of them, of 19 in 20.
   void
   test_coverage()
@@ -358,5 +383,6 @@ main()
   test_contact();
   test_noise();
   test_coverage();
+  test_gaps();
   return test::report();
 }

@@ -37,7 +37,7 @@ namespace
     };
     check_text(judged({0.07, "measured input"}, 0.05).doubts(),
                "The noise in measured points leaves the peak pressure uncertain by 7.0 %; "
-               "take points with less noise or more digits.",
+               "take points with less noise, more digits or no gaps.",
                "noise");
     check(judged({0.07, "measured input"}, 0.07).findings.empty(), "what was wanted");
     check(judged({0.07, "measured input"}, 0.03).grade() == Grade::not_trusted, "more than twice of it");

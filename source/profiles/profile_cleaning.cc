@@ -3,6 +3,7 @@
 #include <wheelrail/profiles/profile_cleaning.h>
 #include <wheelrail/profiles/profile_outliers.h>
 #include <wheelrail/profiles/profile_text.h>
+#include <wheelrail/profiles/smoothing_spline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,18 +31,6 @@ namespace wheelrail
       for (std::size_t i = 1; i < points.size(); ++i)
         sum += norm(points[i].position - points[i - 1].position);
       return sum;
-    }
-
-    double
-    median_step(const Points &points)
-    {
-      std::vector<double> steps;
-      for (std::size_t i = 1; i < points.size(); ++i)
-        steps.push_back(norm(points[i].position - points[i - 1].position));
-      if (steps.empty())
-        return 0;
-      std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-      return steps[steps.size() / 2];
     }
 
     Points
@@ -81,7 +70,7 @@ namespace wheelrail
       constexpr unsigned int most_overlaps = 5;
       for (unsigned int found = 0; found < most_overlaps; ++found)
         {
-          const double step       = median_step(points);
+          const double step       = median_step(positions(points));
           std::size_t  i          = 2;
           const auto   turns_back = [&](const std::size_t k) {
             const Point2 before = points[k - 1].position - points[k - 2].position,
@@ -138,7 +127,7 @@ namespace wheelrail
     average_close(Points &points, std::vector<std::string> &notes)
     {
       constexpr double least = 1e-4;
-      if (median_step(points) > 0.6 * least)
+      if (median_step(positions(points)) > 0.6 * least)
         return;
       Points            result;
       const std::size_t before = points.size();
@@ -233,7 +222,7 @@ namespace wheelrail
     bridge_gaps(const Points &points, const std::string &file, std::vector<std::string> &notes)
     {
       constexpr double longest = 30e-3;
-      const double     usual = median_step(points), fill = std::clamp(usual, 0.25e-3, 2e-3);
+      const double     usual = median_step(positions(points)), fill = std::clamp(usual, 0.25e-3, 2e-3);
       std::size_t      gaps  = 0;
       double           worst = 0;
       std::string      where;
@@ -255,7 +244,7 @@ namespace wheelrail
               for (int k = 1; k < n; ++k)
                 result.push_back({a + (static_cast<double>(k) / n) * d, points[i - 1].line});
             }
-          else if (step >= 2e-3 && step >= 4 * usual)
+          else if (is_gap(step, usual))
             {
               ++gaps;
               if (step > worst)

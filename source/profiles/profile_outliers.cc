@@ -3,6 +3,7 @@
 #include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_outliers.h>
 #include <wheelrail/profiles/profile_text.h>
+#include <wheelrail/profiles/smoothing_spline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,6 @@ namespace wheelrail
   namespace
   {
     using Points = std::vector<FilePoint>;
-
-    double
-    median_step(const std::vector<Point2> &points)
-    {
-      std::vector<double> steps;
-      for (std::size_t i = 1; i < points.size(); ++i)
-        steps.push_back(norm(points[i] - points[i - 1]));
-      return median(steps);
-    }
 
     /// Place of p along the chord from a to b and distance to its left [m].
     Point2

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/smoothing_spline.h>
 
 #include <gsl/gsl_bspline.h>
@@ -212,14 +213,17 @@ namespace wheelrail
       std::vector<Basis> at_points_, in_intervals_;
     };
 
+    /// Points first to last. In gaps (of steps `usual` [m]) lie knots, too: there the curvature may change
+    /// anywhere.
     Stretch
     make_stretch(const std::vector<Point2> &points,
                  const std::vector<double> &noise,
                  const std::size_t          first,
-                 const std::size_t          last)
+                 const std::size_t          last,
+                 const double               usual)
     {
       // knots at the points, but not closer than this; below the finest radius of a profile
-      constexpr double least = 0.25;
+      constexpr double least = 0.25, in_gap = 0.5;
       Stretch          stretch;
       for (std::size_t i = first; i <= last; ++i)
         {
@@ -227,9 +231,19 @@ namespace wheelrail
           stretch.noise.push_back(std::max(1e3 * noise[i], 2e-5));
           stretch.s.push_back(i == first ? 0 : stretch.s.back() + 1e3 * norm(points[i] - points[i - 1]));
         }
-      for (const double s : stretch.s)
-        if (stretch.breaks.empty() || s - stretch.breaks.back() >= least)
-          stretch.breaks.push_back(s);
+      for (std::size_t k = 0; k < stretch.s.size(); ++k)
+        {
+          const double s = stretch.s[k];
+          if (k > 0 && is_gap(1e-3 * (s - stretch.s[k - 1]), usual))
+            {
+              const double begin = stretch.breaks.back();
+              const int    n     = static_cast<int>((s - begin) / in_gap);
+              for (int i = 1; i < n; ++i)
+                stretch.breaks.push_back(begin + (s - begin) * i / n);
+            }
+          if (stretch.breaks.empty() || s - stretch.breaks.back() >= least)
+            stretch.breaks.push_back(s);
+        }
       if (stretch.breaks.back() < stretch.s.back())
         {
           if (stretch.breaks.size() > 2)
@@ -284,6 +298,23 @@ namespace wheelrail
   } // namespace
 
 
+  double
+  median_step(const std::vector<Point2> &points)
+  {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      steps.push_back(norm(points[i] - points[i - 1]));
+    return median(steps);
+  }
+
+
+  bool
+  is_gap(const double step, const double usual)
+  {
+    return step >= 2e-3 && step >= 4 * usual;
+  }
+
+
   std::vector<Segment>
   smoothing_spline(const std::vector<Point2>      &points,
                    const std::vector<std::size_t> &kinks,
@@ -297,11 +328,12 @@ namespace wheelrail
     std::vector<Segment> segments;
     std::size_t          first = 0;
     std::mt19937_64      random(draw);
+    const double         usual = median_step(points);
     for (const std::size_t last : ends)
       {
         if (last < first + 3)
           throw InputError("between two kinks of the profile lie fewer than four points: measure denser");
-        fit_stretch(make_stretch(points, noise, first, last), draw > 0 ? &random : nullptr, segments);
+        fit_stretch(make_stretch(points, noise, first, last, usual), draw > 0 ? &random : nullptr, segments);
         first = last;
       }
     return segments;

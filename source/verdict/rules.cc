@@ -77,7 +77,7 @@ namespace wheelrail
          : elements ? "too few elements: they leave "
                     : known.cause + " leave ") +
           what + " uncertain by " + percent(known.within) + "; " +
-          (noise ? "take points with less noise or more digits" : cure) + ".");
+          (noise ? "take points with less noise, more digits or no gaps" : cure) + ".");
   }
 
 
