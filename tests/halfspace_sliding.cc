@@ -118,6 +118,14 @@ namespace
     check_near(
       get_figure(braked.summary, "traction_over_friction"), -0.5, 1e-12, "kappa has the sign of the drive");
 
+    const Case yawed("0.5", "0.25", {"Wheelset/Yaw = -50 mrad", "Wheelset/Lateral shift = 4 mm"});
+    check_near(
+      yawed.summary.longitudinal_force / 103.2e3, 0.25, 0.05, "yaw: all slides, with the force asked for");
+    check(yawed.summary.creepage > 0.02 && yawed.summary.creepage < 0.03, "so the wheel does not spin up");
+    check_text(yawed.summary.doubts.substr(0, 78),
+               "The whole patch slides: friction just carries what drives or brakes the wheel.",
+               "nor does the verdict say so");
+
     const Case none("0", "0"), spun("0", "0.25");
     check(none.summary.finished && none.summary.longitudinal_force == 0 && none.summary.doubts.empty(),
           "no friction and no torque: pressure alone");
