@@ -72,6 +72,16 @@ main()
   check_text(
     call(given, 24).second, "--case 24: " + given + " has cases 1 to 23", "a case that is not there");
 
+  std::ofstream("coarse.inp")
+    << "3 MODULE\n203110\n022020\n0001211\n999 200 50 1 1e-6\n1e5 0.5 0 0\n0.5 0.5\n"
+       "0d 5 3e4\n0.3 0.3 8e4 8e4\n1\n5 5 -12.5 -12.5 5 5\n1 1\n"
+       "1.087e-3 0 1.667e-3 0 0 0\n0 MODULE\n";
+  check(
+    holds(call("coarse.inp").second,
+          "\nverdict: not trusted: Fewer than eight elements lie across the contact in case 1; take smaller "
+          "ones.\n"),
+    "three elements across a contact");
+
   std::filesystem::remove_all("output");
   std::ofstream("some.inp") << replaced(basic, "0.4013  0.4013 ", "0.4013 0.4013 0.5 ");
   const auto some = call("some.inp");
