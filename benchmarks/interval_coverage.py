@@ -13,8 +13,8 @@ Families, whose input N is drawn from seed N:
   yielding  the same with steel that yields, on cells of 3 mm; truth: the run on cells of 1.5 mm, and the straight line
             (creep, plastic strain) or parabola through both sizes towards none
   impacts   irregular runs on cells of 3 mm; truth: the same
-  meshes    in turn runs of the last two families on cells of 1.5 mm with Run/Error estimate = two meshes; truth: the run on
-            cells of 0.75 mm, and towards none
+  meshes    in turn runs of the last two families on cells of 2 mm with Run/Error estimate = two meshes; truth: the run on
+            cells of 1 mm, and towards none
 
 Seeds to 2053 calibrated, of peak shear and worn section to 2113; those from 2054 (2114) on judge. Truths are lines of
 truths.jsonl in the present folder and are not solved again; those of the program are lines of FAMILY.jsonl, with the
@@ -225,7 +225,7 @@ def impacts(program, seed):
 def meshes(program, seed):
     kind, entries = ("impacts", impact_entries) if seed % 2 else ("yielding", yielding_entries)
     two = {**entries(seed), "Run/Error estimate": "two meshes"}
-    return {f"{kind} {size}": found for size, found in with_half(program, seed, f"{kind} 0.75 mm", two, 1.5).items()}
+    return {f"{kind} {size}": found for size, found in with_half(program, seed, f"{kind} 1 mm", two, 2).items()}
 
 
 def scale_of(key, own):

@@ -156,7 +156,7 @@ namespace
           check_near(interval.high - value, high, 1e-9 * std::abs(value), std::string(name) + " to");
         };
         reaches("patch_longitudinal", 12e-3, -0.45 * 1.5e-3, 0.45 * 1.5e-3);
-        reaches("patch_lateral", 12e-3, -1.5e-3, 0.75e-3);
+        reaches("patch_lateral", 12e-3, -1.3 * 1.5e-3, 0.5 * 1.5e-3);
         reaches("lateral_force", 5e3, -0.1e5 / cells, 0.1e5 / cells);
         reaches("stick_fraction", 0.97, -0.5 / cells, 0.03);
         reaches("creepage", 2e-3, -2.2e-3 / cells, 2.2e-3 / cells);
