@@ -152,6 +152,17 @@ namespace
     check_near(
       read.peak_pressure / exact.peak_pressure, 1, 1e-4, "peak pressure of the file over the Hertzian one");
     check_near(read.xi / exact.xi, 1, 1e-4, "creepage of the file over the Hertzian one");
+    check_near(solve(scene).noise_effect.peak, 0, 0, "whose digits move nothing");
+
+    // micrometres: their last digit makes the peak some 10 % higher
+    scene.halfspace_distance = file_of(grid_text(30, [](const double x, const double y) {
+      return std::round(1e3 * (x * x / 920 + y * y / 600)) / 1e3;
+    }));
+    const auto   rounded     = solve(scene);
+    const double off         = rounded.solution.peak_pressure / exact.peak_pressure - 1;
+    check(off > 0.05 && off < rounded.noise_effect.peak && rounded.noise_effect.peak < 0.6,
+          "rounding: the peak is " + std::to_string(off) + " higher, said are " +
+            std::to_string(rounded.noise_effect.peak));
 
     scene.halfspace_distance =
       file_of(grid_text(6, [](const double x, const double y) { return x * x / 920 + y * y / 600; }));

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/profiles/height_noise.h>
 #include <wheelrail/tables/table.h>
 #include <wheelrail/tables/text_rows.h>
 #include <wheelrail/wheel/given_distance.h>
@@ -57,29 +58,10 @@ namespace wheelrail
               rollers.notes};
     }
 
+    /// The distance of a file.
     GivenSurfaces
-    surfaces_of(const Scene &scene)
+    surfaces_of(const Scene &scene, const DistanceTable &table)
     {
-      const double Rx = scene.halfspace_radius_along, Ry = scene.halfspace_radius_across;
-      if (scene.halfspace_distance == "hertz")
-        return {[Rx, Ry](const double x, const double y) { return x * x / (2 * Rx) + y * y / (2 * Ry); },
-                -0.5 * Rx,
-                0.5 * Rx,
-                -0.5 * Ry,
-                0.5 * Ry,
-                Rx,
-                Ry};
-      if (scene.halfspace_distance == "rollers")
-        return rollers_of(scene);
-      DistanceTable table;
-      try
-        {
-          table = read_distance_file(scene.halfspace_distance);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(std::string("Half-space/Undeformed distance: ") + error.what());
-        }
       const auto        lowest = std::min_element(table.distance.begin(), table.distance.end());
       const std::size_t k      = std::size_t(lowest - table.distance.begin());
       GivenSurfaces     surfaces{{},
@@ -87,13 +69,42 @@ namespace wheelrail
                              table.x.back(),
                              table.y.front(),
                              table.y.back(),
-                             Rx,
-                             Ry,
+                             scene.halfspace_radius_along,
+                             scene.halfspace_radius_across,
                              *lowest,
                              table.x[k % table.x.size()],
                              table.y[k / table.x.size()]};
       surfaces.distance = [table](const double x, const double y) { return table.at(x, y); };
       return surfaces;
+    }
+
+    /// That of Hertz or of rollers.
+    GivenSurfaces
+    surfaces_of(const Scene &scene)
+    {
+      const double Rx = scene.halfspace_radius_along, Ry = scene.halfspace_radius_across;
+      if (scene.halfspace_distance == "rollers")
+        return rollers_of(scene);
+      return {[Rx, Ry](const double x, const double y) { return x * x / (2 * Rx) + y * y / (2 * Ry); },
+              -0.5 * Rx,
+              0.5 * Rx,
+              -0.5 * Ry,
+              0.5 * Ry,
+              Rx,
+              Ry};
+    }
+
+    DistanceTable
+    table_of(const Scene &scene)
+    {
+      try
+        {
+          return read_distance_file(scene.halfspace_distance);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(std::string("Half-space/Undeformed distance: ") + error.what());
+        }
     }
 
     /// A grid over the places whose distance is below the lowest plus `approach`, with two elements around,
@@ -177,6 +188,37 @@ namespace wheelrail
       return solve_on_growing_grid(
         problem, approach, scene.halfspace_element_size, 8, lay_grid, enlargements, kernels);
     }
+
+    /// What the noise of a file's distances, or the rounding of their last digit, may change: twice the root
+    /// mean square of what one more draw of it changes.
+    NoiseEffect
+    noise_effect(const Scene &scene, const DistanceTable &table, HalfspaceProblem problem)
+    {
+      constexpr unsigned int draws = 6;
+      HeightGrid             grid{table.x, table.y, table.distance, {}, 0};
+      find_noise(grid);
+      if (grid.noise == 0)
+        return {0, 0, 0, 0, 0};
+      const auto results = [&](const unsigned int draw) {
+        const DistanceTable               drawn{table.x, table.y, with_noise(grid, false, draw).height};
+        std::shared_ptr<HalfspaceKernels> kernels;
+        int                               enlargements = 0;
+        const HalfspaceSolution           solution =
+          solve_normal_problem(scene, surfaces_of(scene, drawn), problem, enlargements, kernels);
+        const PatchMeasures m = measure_patch(halfspace_patch(solution));
+        return std::array<double, 5>{m.peak_pressure, m.area, m.width, m.length, solution.approach};
+      };
+      const std::array<double, 5> given = results(0);
+      std::array<double, 5>       squares{};
+      for (unsigned int draw = 1; draw <= draws; ++draw)
+        {
+          const std::array<double, 5> other = results(draw);
+          for (std::size_t k = 0; k < squares.size(); ++k)
+            squares[k] += std::pow(other[k] / given[k] - 1, 2);
+        }
+      const auto share = [&](const std::size_t k) { return 2 * std::sqrt(squares[k] / draws); };
+      return {share(0), share(1), share(2), share(3), share(4)};
+    }
   } // namespace
 
 
@@ -216,7 +258,9 @@ namespace wheelrail
         "Wheelset/Yaw: without effect where Half-space/Undeformed distance is not that of the "
         "profiles; give Wheelset/Lateral creepage (about minus the yaw in rad), or set "
         "Undeformed distance = profiles");
-    const GivenSurfaces surfaces = surfaces_of(scene);
+    const bool of_file        = scene.halfspace_distance != "hertz" && scene.halfspace_distance != "rollers";
+    const DistanceTable table = of_file ? table_of(scene) : DistanceTable();
+    const GivenSurfaces surfaces = of_file ? surfaces_of(scene, table) : surfaces_of(scene);
     WheelRailSolution   result;
     HalfspaceProblem   &problem = result.problem;
     problem                     = halfspace_problem(scene);
@@ -229,6 +273,8 @@ namespace wheelrail
     std::shared_ptr<HalfspaceKernels> kernels;
     const HalfspaceSolution           normal =
       solve_normal_problem(scene, surfaces, problem, result.enlargements, kernels);
+    if (of_file)
+      result.noise_effect = noise_effect(scene, table, problem);
     problem.motion                   = HalfspaceMotion::steady;
     problem.phi                      = std::isfinite(scene.halfspace_given_spin)
                                          ? scene.halfspace_given_spin
