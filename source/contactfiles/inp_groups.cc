@@ -20,8 +20,8 @@ namespace wheelrail
                     (d.forces == 2 ? "FY " : "CETA ") + "CPHI {SPINXO} {SPINYO}");
       const auto &v  = group.values;
       one.kinematics = {v[0], v[1], v[2], v[3], group.value(4), group.value(5), group.line};
-      if (d.normal == 1 && v[0] < 0)
-        words.fail(group.line, "FN is negative; a force that presses counts positive");
+      if (d.normal == 1 && !(v[0] > 0))
+        words.fail(group.line, "FN is not positive, as a force that presses is");
     }
 
     std::string
