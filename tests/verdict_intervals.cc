@@ -94,6 +94,7 @@ namespace
     run.max_plastic_strain     = 4e-3 - 1e-3;
     coarser.max_plastic_strain = 4e-3 - 2e-3; // first
     run.creepage = coarser.creepage = 2e-3;
+    run.patch_lateral = coarser.patch_lateral = 14e-3;
     Scene               rate;
     const Contributions causes = two_mesh_contributions(rate, run, coarser, 1e9);
     const auto          shift  = [](const Contributions &contributions, const std::string &name) {
@@ -109,6 +110,10 @@ namespace
     check_near(strain.high, 5e-3, 1e-11, "to the change beyond the end");
     const Contributions few = two_mesh_contributions(rate, run, coarser, 10);
     check_near(interval_of("creepage", 2e-3, few).high, 2.1e-3, 1e-9, "two that agree may do so by chance");
+    check_near(interval_of("patch_lateral", 14e-3, few).high,
+               14.63e-3,
+               1e-9,
+               "of extents by half a cell: nodes are in or out");
     rate.drive = Drive::rate;
     check(std::isnan(interval_of("creepage", 2e-3, two_mesh_contributions(rate, run, coarser, 10)).low),
           "a creepage that is given has no error");

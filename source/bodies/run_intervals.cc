@@ -133,9 +133,10 @@ namespace wheelrail
 
     // with which power of the cells results err (doc/theory/intervals.md)
     const Names of_second_order = split_list(
-      "max_pressure, max_pressure_fitted, contact_area, patch_lateral, patch_longitudinal, "
+      "max_pressure, max_pressure_fitted, contact_area, "
       "largest_vertical_force, first_rail_force, second_rail_force, impact_factor, largest_pad_force, "
       "largest_pad_pull, largest_pressure");
+    const Names of_extents     = split_list("patch_lateral, patch_longitudinal"); // second, in part of a cell
     const Names of_first_order = split_list(
       "lateral_force, least_vertical_force, t_gamma, stick_fraction, max_shear_traction, max_von_mises, "
       "von_mises_below_cell, von_mises_on_way, max_plastic_strain, rail_plastic_strain, "
@@ -184,9 +185,9 @@ namespace wheelrail
   Contributions
   two_mesh_contributions(const Scene &scene, const Summary &run, const Summary &coarser, const double cells)
   {
-    const auto differ = [&](const Names &names, const int order, Contributions &contributions) {
-      // c of (5)
-      const double by_chance = order == 1 ? 0.5 : 0.1;
+    Contributions contributions;
+    // order p and c of (5)
+    const auto differ = [&](const Names &names, const int order, const double by_chance) {
       for (const std::string &name : names)
         {
           const Figure &figure = figure_named(name);
@@ -203,11 +204,11 @@ namespace wheelrail
                                    std::hypot(change, noise, by_chance * value / cells)});
         }
     };
-    Contributions contributions;
-    differ(of_second_order, 2, contributions);
-    differ(of_first_order, 1, contributions);
+    differ(of_second_order, 2, 0.1);
+    differ(of_extents, 2, 0.45);
+    differ(of_first_order, 1, 0.5);
     // what is given has no error: force follows from a held rate, creepage from a torque
-    differ({scene.drive == Drive::rate ? "longitudinal_force" : "creepage"}, 1, contributions);
+    differ({scene.drive == Drive::rate ? "longitudinal_force" : "creepage"}, 1, 0.5);
     return contributions;
   }
 

@@ -10,7 +10,8 @@ namespace wheelrail
 {
   /// What cells make of a run, from the same on cells twice as large (scene_on_coarser_cells()), with `cells`
   /// over its patch: Richardson's extrapolation with the order p of a result, which lies the change over 2^p
-  /// - 1 further on, within the change, the coarser run's noise, and 0.5 (first order) or 0.1 value/cells.
+  /// - 1 further on, within the change, the coarser run's noise, and 0.5 (first order), 0.1 (second) or 0.45
+  /// (extents) value/cells.
   Contributions
   two_mesh_contributions(const Scene &scene, const Summary &run, const Summary &coarser, double cells);
 
