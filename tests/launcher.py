@@ -6,6 +6,7 @@ Usage: launcher.py PROGRAM MPIEXEC WHAT
 WHAT is one of the functions at the end; each works in the current folder.
 """
 
+import fcntl
 import os
 import shlex
 import shutil
@@ -133,6 +134,18 @@ def ranks():
         os.remove(os.path.join(PLACE, "second"))
         check(code == 0 and errors == (note if started == 1 else ""), f"a {share} machine of two cores: {errors!r}")
         check(f"-n {started} " in screen and left_behind() == [], f"starts {started}, and leaves no file: {screen!r}")
+
+
+def building():
+    """A call waits while another one builds, and says so."""
+    call("build")
+    with open(os.path.join(CHECKOUT, "build", "lock"), "a", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        second = subprocess.Popen([LAUNCHER, "build"], cwd=ELSEWHERE, env=environment(), stderr=subprocess.PIPE, text=True)
+        told = second.stderr.readline()
+    _, errors = second.communicate()
+    check(second.returncode == 0 and errors == "" and
+          told == "another call of wheelrail builds the program; waiting for its end\n", f"it waits: {told!r} {errors!r}")
 
 
 def install():
@@ -312,5 +325,5 @@ def commands():
 
 
 prepare()
-{f.__name__: f for f in (ranks, install, rights, hints, commands)}[sys.argv[3]]()
+{f.__name__: f for f in (ranks, building, install, rights, hints, commands)}[sys.argv[3]]()
 finish()
