@@ -181,6 +181,15 @@ namespace
                "come behind it; roll farther (Run/Rolling distance).",
                "a force that still rises");
     set_figure(run, "largest_vertical_force_at_m", 0.072);
+    Summary crossing = run;
+    set_figure(crossing, "second_rail_force_at_m", 0.1199);
+    check_text(
+      judge_run(scene, measures_of_run(scene, crossing)).doubts(),
+      "The largest vertical force on the second rail acts at the end of the path, 119.9 mm, so that a "
+      "larger one may come behind it; roll farther (Run/Rolling distance).",
+      "a force that still rises on one of two rails");
+    set_figure(crossing, "second_rail_force_at_m", 0.1);
+    check_text(judge_run(scene, measures_of_run(scene, crossing)).doubts(), "", "one that has fallen");
     Summary two       = run;
     two.patch_lateral = 72e-3;
     set_figure(two, "patches", 2);

@@ -138,9 +138,10 @@ namespace wheelrail
       m.torque_miss = figure("torque_miss");
     else
       {
-        m.load_share = share;
-        m.force_at   = figure("largest_vertical_force_at_m");
-        m.path_end   = run.rolled_distance;
+        m.load_share           = share;
+        m.force_at             = figure("largest_vertical_force_at_m");
+        m.path_end             = run.rolled_distance;
+        m.second_rail_force_at = figure("second_rail_force_at_m");
       }
     if (m.off_rail())
       m.cells = m.cells_across_peak = Measures::none;

@@ -179,11 +179,17 @@ namespace wheelrail
             "the wheel carries " + percent(m.load_share) +
               " of its load where the means are taken: it is off the rail there, and they say nothing of the "
               "contact; take Run/Evaluate at = largest force.");
-      if (m.force_at > m.path_end - short_path)
-        add(verdict,
-            Grade::with_care,
-            "the largest vertical force acts at the end of the path, " + text("%.1f mm", 1e3 * m.force_at) +
-              ", so that a larger one may come behind it; roll farther (Run/Rolling distance).");
+      const auto at_end = [&](const std::string &force, const double at) {
+        if (at > m.path_end - short_path)
+          add(verdict,
+              Grade::with_care,
+              "the largest vertical force" + force + " acts at the end of the path, " +
+                text("%.1f mm", 1e3 * at) +
+                ", so that a larger one may come behind it; roll farther (Run/Rolling distance).");
+      };
+      at_end("", m.force_at);
+      if (m.force_at <= m.path_end - short_path)
+        at_end(" on the second rail", m.second_rail_force_at);
     }
 
     /// On irregular surfaces the force depends on how the rail gives way from 200 Hz to 2 kHz.

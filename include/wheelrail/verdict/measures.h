@@ -43,6 +43,8 @@ namespace wheelrail
     double load_share = none; ///< vertical force of the stretch of the means over the wheel load
     double force_at   = none; ///< where the largest vertical force of the path acts [m]
     double path_end   = none; ///< [m]
+    /// Where the largest force on the second of two rails acts [m].
+    double second_rail_force_at = none;
 
     // balances
     double energy_error = none; ///< over strain plus dissipated energy
