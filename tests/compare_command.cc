@@ -173,6 +173,27 @@ namespace
                "a misspelt word");
   }
 
+  /// A wheel on two rails at a time.
+  void
+  test_two_rails()
+  {
+    Scene scene;
+    write_run(scene, {});
+    const std::string path = (folder / "summary.json").string();
+    Summary           run  = read_summary(path);
+    set_figure(run, "second_rail_force_N", 30e3);
+    set_figure(run, "patches", 2);
+    write_summary(run, path);
+    std::ostringstream out;
+    check_text(test::message_of([&]() {
+                 execute({"compare", folder.string()}, {}, out);
+               }),
+               "The file \"" + path +
+                 "\" holds 2 separate patches on two rails beside each other, which compare takes for one; "
+                 "half-spaces at each place of these rails: \"./wheelrail halfspace FILE.prm --places\".",
+               "patches on two rails");
+  }
+
   /// A wheel that flies where the means are taken.
   void
   test_off_the_rail()
@@ -207,6 +228,7 @@ main()
   test_pose_is_used();
   test_changed_figures();
   test_frictionless();
+  test_two_rails();
   test_off_the_rail();
   test_refused();
   return test::report();

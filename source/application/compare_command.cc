@@ -57,6 +57,13 @@ namespace wheelrail
           "The file \"" + path +
           "\" holds means of a wheel off the rail, which has no patch to be compared; compute it "
           "again with Run/Evaluate at = largest force.");
+      if (const double patches = get_figure(run, "patches");
+          patches > 1 && std::isfinite(get_figure(run, "second_rail_force_N")))
+        throw RunError(
+          "The file \"" + path + "\" holds " + text("%g", patches) +
+          " separate patches on two rails beside each other, which compare takes for one; half-spaces "
+          "at each place of these rails: \"" +
+          own_call() + " halfspace FILE.prm --places\".");
       const double load = 100 * expected_load(scene);
       require("vertical_force_N", 1e-6 * load, load);
       require("longitudinal_force_N", -load, load);
