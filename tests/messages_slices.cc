@@ -219,18 +219,41 @@ namespace
     check(out.str().find(filled) != std::string::npos, "is said of these rails, too: " + filled);
     check_text(validated({"Profiles/Rail = sinking.slcs"}), "no message", "a start on a slope");
     const std::string sections = WHEELRAIL_SOURCE_DIR "/prm/sections/";
+    const std::string size =
+      " wide, and those of rails are 3 mm to 400 mm; set Profiles/Rail unit to that of its "
+      "files, mm, m or inch";
+    check_text(validated({"Profiles/Rail = before.slcs", "Profiles/Rail unit = m"}),
+               "--set: Profiles/Rail: before.slcs: its widest slice is 70578.548 mm" + size,
+               "millimetres taken for metres");
+    check_text(validated({"Profiles/Rail = before.slcs",
+                          "Profiles/Second rail = metres.slcs",
+                          "Profiles/Rail unit = mm",
+                          "Profiles/Rail place = -150 mm"}),
+               "--set: Profiles/Second rail: metres.slcs: its widest slice is 0.071 mm" + size,
+               "metres taken for millimetres");
+    const auto mirrored = [&](const std::string &inclination) {
+      return validated({"Profiles/Rail = " + sections + "wing.slcs",
+                        "Profiles/Second rail = " + sections + "nose.slcs",
+                        "Profiles/Rail place = 360 mm",
+                        "Profiles/Rail mirror = yes",
+                        "Track/Rail inclination = " + inclination,
+                        "Mesh/Solution cell size = 2 mm",
+                        "Run/Rolling distance = 200 mm"});
+    };
+    const std::string fault =
+      "The wheel section cannot be built: the fine cells reach so far up the flange that no "
+      "block of 16 mm fits between them and its tip.";
     check_text(
-      validated({"Profiles/Rail = " + sections + "wing.slcs",
-                 "Profiles/Second rail = " + sections + "nose.slcs",
-                 "Profiles/Rail place = 360 mm",
-                 "Profiles/Rail mirror = yes",
-                 "Mesh/Solution cell size = 2 mm",
-                 "Run/Rolling distance = 200 mm"}),
-      "plain.prm: Mesh/Coarse cell size = 16 mm: rail and wheel cannot be divided into cells at "
-      "Wheelset/Lateral shift = 0 mm: The wheel section cannot be built: the fine cells reach so far up the "
-      "flange that no block of 16 mm fits between them and its tip. Does y of all slices point to the field "
-      "side (Profiles/Rail mirror)?",
+      mirrored("0"),
+      "--set: Profiles/Rail mirror = yes: the slices are probably mirrored; their y should point to the "
+      "field side. With no rail and wheel can be divided into cells; now they cannot: " +
+        fault,
       "both rails mirrored");
+    check_text(mirrored("1:40"),
+               "plain.prm: Mesh/Coarse cell size = 16 mm: rail and wheel cannot be divided into cells at "
+               "Wheelset/Lateral shift = 0 mm: " +
+                 fault + " Does y of all slices point to the field side (Profiles/Rail mirror)?",
+               "both rails mirrored, that fit neither way");
     check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
                           "Profiles/Second rail = " + sections + "nose.slcs",
                           "Profiles/Rail place = 600 mm",
@@ -306,6 +329,11 @@ main()
       return file;
     };
   write("sinking.slcs", changing("sunk.txt"));
+  std::vector<Point2> metres = high;
+  for (Point2 &p : metres)
+    p = 1e-3 * p;
+  test::write_points("metres.txt", metres);
+  test::write_slices("metres.slcs", "metres.txt", -100, 0);
   for (Point2 &p : high)
     p.y += 30;
   test::write_points("guard.txt", high);

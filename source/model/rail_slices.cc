@@ -37,12 +37,33 @@ namespace wheelrail
                          "Profiles/Rail upside down = yes for slices whose z points up");
     }
 
+    /// Throws InputError where the widest slice is no rail: the unit is another.
+    void
+    refuse_wrong_unit(const Slices &slices, const std::string &path)
+    {
+      constexpr double narrow = 3e-3, wide = 400e-3; // also two rails drawn as one
+      double           widest = 0;
+      for (const Slices::Slice &slice : slices.slices)
+        {
+          const auto [low, high] =
+            std::minmax_element(slice.points.begin(),
+                                slice.points.end(),
+                                [](const Point2 &a, const Point2 &b) { return a.x < b.x; });
+          widest = std::max(widest, high->x - low->x);
+        }
+      if (widest < narrow || widest > wide)
+        throw InputError(path + ": its widest slice is " + in_mm(widest) +
+                         " wide, and those of rails are 3 mm to 400 mm; set Profiles/Rail unit to that of "
+                         "its files, mm, m or inch");
+    }
+
     Slices
     turned_slices_of(const ProfileSettings &scene, const std::string &path)
     {
       Slices slices = read_slices_file(path, scene.rail_file.unit);
       if (slices.wheel)
         throw InputError(path + ": slices of a wheel; a rail has them in a file that ends in .slcs");
+      refuse_wrong_unit(slices, path);
       for (Slices::Slice &slice : slices.slices)
         for (Point2 &p : slice.points)
           p = {(scene.rail_file.mirror == ProfileMirror::yes ? -1 : 1) * p.x,
