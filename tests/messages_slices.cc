@@ -256,6 +256,15 @@ namespace
                "both rails mirrored, that fit neither way");
     check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
                           "Profiles/Second rail = " + sections + "nose.slcs",
+                          "Profiles/Rail place = 360 mm",
+                          "Wheelset/Lateral shift = 5 mm",
+                          "Track/Rail inclination = 0",
+                          "Mesh/Solution cell size = 2 mm",
+                          "Run/Rolling distance = 120 mm"}),
+               "no message",
+               "a shift on a crossing, whose other wheel stands on a plain rail");
+    check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
+                          "Profiles/Second rail = " + sections + "nose.slcs",
                           "Profiles/Rail place = 600 mm",
                           "Track/Rail inclination = 0",
                           "Mesh/Solution cell size = 2 mm",

@@ -54,6 +54,16 @@ namespace wheelrail
       return measured_wheel(measured, scene.wheel.rim_width, notes, scene.wheel_origin);
     }
 
+    /// The rail below the other wheel of the wheelset where that of the scene is a crossing, whose section is
+    /// filled up to the wheel at its own shift; nothing for other rails, which are alike on both sides.
+    std::optional<RailProfile>
+    rail_opposite(const Scene &scene)
+    {
+      if (!scene.rail_by_slices() || !rails_beside(scene, turned_slices(scene, scene.rail_profile)))
+        return {};
+      return rail_profile(scene.rail_body == "auto" ? "54E1" : scene.rail_body);
+    }
+
     RailProfile
     rail_of(const ProfileSettings &scene, const MeasuredProfile &measured, std::vector<std::string> &notes)
     {
@@ -133,8 +143,16 @@ namespace wheelrail
   SceneGeometry
   smooth_geometry(const Scene &scene, SceneProfiles profiles)
   {
-    return {touching_profiles(
-              std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
+    const WheelsetPose               pose     = wheelset_pose(scene);
+    const std::optional<RailProfile> opposite = rail_opposite(scene);
+    if (!opposite)
+      return {touching_profiles(std::move(profiles.rail), std::move(profiles.wheel), scene.track, pose),
+              std::move(profiles.notes),
+              std::move(profiles.files)};
+    const WheelOnRail other{*opposite, profiles.wheel};
+    ContactGeometry   contact  = find_contact(profiles.rail, profiles.wheel, scene.track, pose, &other);
+    RunningSurfaces   surfaces = running_surfaces(profiles.rail.head, profiles.wheel.tread, contact);
+    return {{std::move(profiles.rail), std::move(profiles.wheel), std::move(contact), std::move(surfaces)},
             std::move(profiles.notes),
             std::move(profiles.files)};
   }
