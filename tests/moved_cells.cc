@@ -8,6 +8,7 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/model/scene_material.h>
+#include <wheelrail/run/run_texts.h>
 
 #include <string>
 
@@ -82,6 +83,10 @@ main(int argc, char **argv)
                  "step of a cube by mass scaling");
   check_relative(scaled.stable.step, cube.step, 1e-12, "step of the whole mesh with it");
   check(cube.step > plain.stable.step && cube.scaled && !step.scaled, "it is longer, and told");
+  const std::string told =
+    ", raised to that of a cube by mass scaling; what that adds to the bodies is checked "
+    "when a run starts";
+  check(time_step_text(1e-3, cube.step, cube).find(told) != std::string::npos, told);
   for (const Body body : both_bodies)
     check_near(1e6 * (mass(scaled, body) / mass(plain, body) - 1),
                1e6 * scaled.quality.scaled_share[body],

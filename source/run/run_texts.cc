@@ -34,7 +34,9 @@ namespace wheelrail
       1e3 * limit.place[0],
       1e3 * limit.place[1],
       1e3 * limit.place[2],
-      limit.scaled ? ", raised to that of a cube by mass scaling" : "",
+      limit.scaled ? ", raised to that of a cube by mass scaling; what that adds to the bodies is checked "
+                     "when a run starts"
+                   : "",
       limit.lowered_by_edges ? ", lowered since free edges vibrate faster" : "",
       limit.of_parts > 1e-3 ? text(", by %.1f %% by pads and ballast", 100 * limit.of_parts).c_str() : "");
   }
