@@ -10,8 +10,8 @@ namespace wheelrail
 {
   /// What cells make of a run, from the same on cells twice as large (scene_on_coarser_cells()), with `cells`
   /// over its patch: Richardson's extrapolation with the order p of a result, which lies the change over 2^p
-  /// - 1 further on, within the change, the coarser run's noise, and 0.5 (first order), 0.1 (second) or 0.45
-  /// (extents) value/cells.
+  /// - 1 further on, within the change, the coarser run's noise, and a part of value/cells: 0.1 (second
+  /// order), 0.5 (first), 0.45 and 0.9 (length and width), 2 (plastic strain, residual stress).
   Contributions
   two_mesh_contributions(const Scene &scene, const Summary &run, const Summary &coarser, double cells);
 
