@@ -120,6 +120,21 @@ namespace
     check(!std::isfinite(interval_of("lateral_force", 0, few).low), "nor what neither run has");
   }
 
+  /// Cells see less of the stress below them: true bodies, which are solved for the surface, do not tell it.
+  void
+  test_stress_below()
+  {
+    Summary run;
+    set_figure(run, "von_mises_below_cell_Pa", 6e8);
+    Measures m = good();
+    m.cells    = 6;
+    const Contributions bodies =
+      run_contributions(Scene(), run, m, {}, {{"max_pressure", "cells and penalty layer", 1e7, 1e6}}, {});
+    const Interval stress = interval_of("von_mises_below_cell", 6e8, bodies);
+    check_near(stress.low, 5.9e8, 1, "a tenth over n below");
+    check_near(stress.high, 7.7e8, 1, "to 1.7/n above");
+  }
+
   /// Plastic strain has an estimate where enough cells lie across the patch; the area lies too high, the
   /// width, too; creepage and T-gamma near nought have the error of a quarter of half saturation.
   void
@@ -260,6 +275,7 @@ main()
 {
   test_intervals();
   test_two_meshes();
+  test_stress_below();
   test_yielding();
   test_run();
   return report();

@@ -237,6 +237,13 @@ namespace wheelrail
     for (const Contribution &one : two_meshes)
       if (!knows(before, one.result))
         contributions.push_back(one);
+    // below a cell its true value was 0.06/n to 1.6/n higher in 24 elastic runs on 1.5 to 3 mm, which no true
+    // bodies are solved for
+    constexpr double stress_shift = 0.8, of_stress = 0.9;
+    if (const double stress = get_figure(run, "von_mises_below_cell_Pa") / measures.cells;
+        !against_bodies.empty() && std::isfinite(stress) && !knows(contributions, "von_mises_below_cell"))
+      contributions.push_back(
+        {"von_mises_below_cell", "cells and penalty layer", stress_shift * stress, of_stress * stress});
     // 2. At an edge pressures grow with each halving of the cells: no bound
     if (without_bound(measures, measures.edge))
       contributions =
