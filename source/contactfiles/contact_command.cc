@@ -277,17 +277,22 @@ namespace wheelrail
     }
 
     Summary
-    file_summary(const std::string &file, const std::vector<CaseResult> &results, const std::size_t poor)
+    file_summary(const std::string              &file,
+                 const std::vector<ContactCase> &cases,
+                 const std::vector<CaseResult>  &results,
+                 const std::size_t               poor)
     {
       Summary summary;
       summary.title    = file;
       summary.finished = true;
-      double solved = 0, refused = 0, wheel_rail = 0, peak = 0;
-      for (const CaseResult &result : results)
+      double solved = 0, refused = 0, wheel_rail = 0, simplified = 0, peak = 0;
+      for (std::size_t k = 0; k < results.size(); ++k)
         {
-          solved += result.solved || result.wheel_rail ? 1 : 0;
-          refused += result.refused.empty() ? 0 : 1;
-          wheel_rail += result.wheel_rail ? 1 : 0;
+          const CaseResult &result = results[k];
+          solved += result.solved || result.wheel_rail;
+          refused += !result.refused.empty();
+          wheel_rail += result.wheel_rail.has_value();
+          simplified += result.solved && cases[k].digits.material / 2 == 1; // M = 2, 3
           if (result.solved)
             peak = std::max(peak, result.solved->solution.peak_pressure);
           if (result.wheel_rail)
@@ -311,11 +316,13 @@ namespace wheelrail
               ": what lies beyond carries nothing; take a larger grid.");
       doubt(!coarse.empty(),
             "Fewer than eight elements lie across the contact in case" + coarse + "; take smaller ones.");
-      summary.verdict = !summary.doubts.empty() ? "not trusted"
-                        : wheel_rail > 0        ? "with care"
-                                                : summary.verdict;
-      doubt(summary.verdict == "with care",
+      summary.verdict = !summary.doubts.empty()       ? "not trusted"
+                        : wheel_rail + simplified > 0 ? "with care"
+                                                      : summary.verdict;
+      doubt(wheel_rail > 0 && summary.verdict == "with care",
             "Wheel and rail are half-spaces, as in CONTACT; true bodies differ (--bodies real).");
+      doubt(simplified > 0 && summary.verdict == "with care",
+            "FASTSIM (M = 2, 3) is an approximation, of forces to some 10 %.");
       return summary;
     }
 
@@ -373,7 +380,7 @@ namespace wheelrail
     write_table(point_table(results), held.path(), "points");
     for (std::size_t k = 0; k < results.size(); ++k)
       write_fields(results[k], (held.path() / ("case_" + std::to_string(k + 1) + ".h5")).string());
-    const Summary summary = file_summary(task.file, results, poor);
+    const Summary summary = file_summary(task.file, cases, results, poor);
     write_summary(summary, (held.path() / "summary.json").string());
     if (task.printed)
       replace_file((held.path() / (stem + ".out")).string(), printed_blocks(cases, results));
