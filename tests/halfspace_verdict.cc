@@ -73,7 +73,7 @@ namespace
                "few elements for creep");
     check(judge_halfspaces(m).grade() == Grade::not_trusted, "more than twice of what is wanted");
     m.creep.within = 0.04;
-    m.slides       = sliding_note(1);
+    m.slides       = sliding_note(1, false);
     check(judge_halfspaces(m).grade() == Grade::with_care, "a patch that slides as a whole");
     m.slides.clear();
     m.contact_modulus = 115.4e9;

@@ -155,6 +155,10 @@ namespace
     scene.cell_size    = 1e-3;
     run.stick_fraction = 0;
     check_text(wear_doubt(scene, run), "", "wear of a patch that slides");
+    scene.traction_coefficient = 0.25;
+    holds(measures_of_run(scene, run).slides, "the wheel spins up", "friction does not carry the torque");
+    set_figure(run, "torque_miss", 0.01);
+    holds(measures_of_run(scene, run).slides, "friction just carries", "it does, across the track under yaw");
   }
 
   /// Over irregular surfaces: means where the wheel flies, and a force that still rises at the end.

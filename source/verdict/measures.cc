@@ -35,8 +35,10 @@ namespace wheelrail
 
 
   std::string
-  sliding_note(const double longitudinal_force)
+  sliding_note(const double longitudinal_force, const bool carried)
   {
+    if (carried)
+      return "The whole patch slides: friction just carries what drives or brakes the wheel.";
     return std::string("The whole patch slides: the wheel ") +
            (longitudinal_force < 0 ? "locks" : "spins up") +
            ", since friction does not carry what drives or brakes it.";
@@ -146,11 +148,13 @@ namespace wheelrail
     if (m.off_rail())
       m.cells = m.cells_across_peak = Measures::none;
     m.peak_pressure = run.max_pressure;
-    // what friction carries has no room for a steady creepage
+    // what friction carries has no room for a steady creepage, but where it all slides across, as under yaw
+    constexpr double just_carried = 0.02; // of the force that the torque asks for
     if (const double asked = scene.traction_coefficient;
         scene.drive == Drive::torque && asked != 0 &&
         (run.stick_fraction < 1e-3 || std::abs(asked) >= scene.friction.at(0)))
-      m.slides = sliding_note(asked);
+      m.slides =
+        sliding_note(asked, std::abs(asked) < scene.friction.at(0) && std::abs(m.torque_miss) < just_carried);
     if (run.max_plastic_strain > 0)
       m.plastic_strain = run.max_plastic_strain;
     const double largest = figure("largest_pressure_Pa"), traction = figure("utilised_friction");

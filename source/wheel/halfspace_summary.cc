@@ -126,9 +126,7 @@ namespace wheelrail
       if (whole > measures.creep.within || (std::isnan(measures.creep.within) && whole > 0))
         measures.creep = {whole, "elements"};
       if (slides(scene, result.solution))
-        measures.slides = result.solution.within_friction
-                            ? "The whole patch slides: friction just carries what drives or brakes the wheel."
-                            : sliding_note(-result.solution.fx);
+        measures.slides = sliding_note(-result.solution.fx, result.solution.within_friction);
       measures.yields = steel_doubt(scene,
                                     result.solution.peak_pressure,
                                     std::hypot(result.solution.fx, result.solution.fy) / result.solution.fn,

@@ -125,9 +125,9 @@ namespace wheelrail
   place_in_words(double x);
 
   /// What is to be told of a patch that slides as a whole under a wheel that is driven (a positive force on
-  /// the wheel [N]) or braked.
+  /// the wheel [N]) or braked; `carried`: by friction.
   std::string
-  sliding_note(double longitudinal_force);
+  sliding_note(double longitudinal_force, bool carried);
 
   /// What is to be told of elastic bodies beyond the limit of shakedown of their steel (shakedown_limit()),
   /// the weaker of both, under a peak pressure [Pa] with a traction T/N; empty: none is. `computed`: bodies
