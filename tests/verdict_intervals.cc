@@ -64,6 +64,9 @@ namespace
     check_near(interval.high, 113, 1e-12, "spreads of 3 and 4 by their squares");
     check_near(
       interval_of("max_pressure", 100, {{"max_pressure", "cells", 1, 5}}).low, 96, 1e-12, "the other side");
+    check(interval_of("t_gamma", 1, {{"t_gamma", "noise", 0, 2}}).low == 0, "friction gives no work");
+    check(interval_of("stick_fraction", 0.9, {{"stick_fraction", "noise", 0, 0.2}}).high == 1,
+          "nor more than all sticks");
     check(known_within("max_pressure", 100, 1, causes).cause == "cells", "the largest cause");
     check_near(known_within("max_pressure", 100, 1, causes).within, 0.13, 1e-12, "the farther side");
     check(std::isnan(interval_of("contact_area", 1, causes).low), "no number where a cause has no bound");

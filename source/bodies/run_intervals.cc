@@ -65,10 +65,7 @@ namespace wheelrail
       add("patch_longitudinal", 0, length * h);
       add("patch_lateral", width_shift * h, width * h);
       add("lateral_force", 0, of_force / n * run.normal_force);
-      // a part of the patch is at most the whole
-      const double more = std::min(of_stick / n, 1 - run.stick_fraction),
-                   less = std::min(of_stick / n, run.stick_fraction);
-      add("stick_fraction", 0.5 * (more - less), 0.5 * (more + less));
+      add("stick_fraction", 0, of_stick / n);
       const CreepScale patch = scale_of(scene, run);
       const double     half  = least * patch.half_saturation(),
                    creepage  = of_creepage / n * std::max(std::abs(run.creepage), half);

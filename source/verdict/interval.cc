@@ -50,7 +50,14 @@ namespace wheelrail
     const double spread = std::sqrt(squares);
     if (causes.empty() || !std::isfinite(value + shift + spread))
       return {Summary::none, Summary::none};
-    return {value + std::min(0., shift - spread), value + std::max(0., shift + spread)};
+    Interval found{value + std::min(0., shift - spread), value + std::max(0., shift + spread)};
+    // friction takes work and never gives it, and a part is between nothing and the whole
+    for (const char *name : {"t_gamma", "frictional_power", "archard_section", "stick_fraction"})
+      if (result == name)
+        found.low = std::max(found.low, std::min(0., value));
+    if (result == "stick_fraction")
+      found.high = std::min(found.high, std::max(1., value));
+    return found;
   }
 
 

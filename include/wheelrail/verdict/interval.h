@@ -29,6 +29,7 @@ namespace wheelrail
   /// Known shifts S add up, spreads are independent and add by their squares to D^2; the true value lies
   /// within value + S -+ D. The interval reaches to the reported value where this lies outside:
   ///   low = value + min(0, S - D), high = value + max(0, S + D)
+  /// and to what the result can be: friction work from 0, the sticking part from 0 to 1
   /// (doc/theory/intervals.md). NaN: nothing is known of it.
   Interval
   interval_of(const std::string &result, double value, const Contributions &contributions);
