@@ -126,6 +126,12 @@ namespace
                "The whole patch slides: friction just carries what drives or brakes the wheel.",
                "nor does the verdict say so");
 
+    const Case beside("0.5", "0.25", {"Wheelset/Lateral shift = -4 mm"});
+    check(get_figure(beside.summary, "patches") == 2 &&
+            get_figure(beside.summary, "patch_2_stick_fraction") == 0 &&
+            beside.summary.doubts.find("slides") == std::string::npos,
+          "a patch of some newtons slides beside one that sticks");
+
     const Case none("0", "0"), spun("0", "0.25");
     check(none.summary.finished && none.summary.longitudinal_force == 0 && none.summary.doubts.empty(),
           "no friction and no torque: pressure alone");

@@ -24,12 +24,11 @@ namespace wheelrail
 {
   namespace
   {
-    /// Whether a patch under a force that is asked for slides as a whole, or as good as.
+    /// Whether a patch slides as a whole.
     bool
-    slides(const WheelsetSettings &scene, const HalfspaceSolution &s)
+    slides(const HalfspaceSolution &s)
     {
-      return !s.within_friction || (scene.drive == Drive::torque && scene.traction_coefficient != 0 &&
-                                    s.adhesion_area == 0 && s.slip_area > 0);
+      return s.adhesion_area == 0 && s.slip_area > 0;
     }
 
     /// How far the elements reach in a result: its interval by them, or what twice their size changes.
@@ -90,12 +89,13 @@ namespace wheelrail
     }
 
     /// The verdict of one patch by its pressure, edges, elements and steel; `turn`: of the surfaces across
-    /// the contact [rad], `contributions`: what is known of its results.
+    /// the contact [rad], `contributions`: what is known of its results, `all_slide`: of all patches.
     Verdict
     judge_with(const Scene             &scene,
                const WheelRailSolution &result,
                const double             turn,
-               const Contributions     &contributions)
+               const Contributions     &contributions,
+               const bool               all_slide)
     {
       Measures measures;
       measures.wanted        = scene.wanted_accuracy;
@@ -125,7 +125,8 @@ namespace wheelrail
           : (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction;
       if (whole > measures.creep.within || (std::isnan(measures.creep.within) && whole > 0))
         measures.creep = {whole, "elements"};
-      if (slides(scene, result.solution))
+      if (!result.solution.within_friction ||
+          (all_slide && scene.drive == Drive::torque && scene.traction_coefficient != 0))
         measures.slides = sliding_note(-result.solution.fx, result.solution.within_friction);
       measures.yields = steel_doubt(scene,
                                     result.solution.peak_pressure,
@@ -306,10 +307,14 @@ namespace wheelrail
     Verdict
     judge_patches(const Scene &scene, const std::vector<KnownPatch> &patches)
     {
-      const double turn = turn_across_all(*patches.front().solution);
+      const double turn      = turn_across_all(*patches.front().solution);
+      const bool   all_slide = std::all_of(patches.begin(), patches.end(), [](const KnownPatch &patch) {
+        return slides(patch.solution->solution);
+      });
       Verdict      verdict;
       for (const KnownPatch &patch : patches)
-        for (const Finding &finding : judge_with(scene, *patch.solution, turn, patch.contributions).findings)
+        for (const Finding &finding :
+             judge_with(scene, *patch.solution, turn, patch.contributions, all_slide).findings)
           add_finding(finding, verdict);
       return verdict;
     }
@@ -319,8 +324,11 @@ namespace wheelrail
   Verdict
   judge_patch(const Scene &scene, const WheelRailSolution &result)
   {
-    return judge_with(
-      scene, result, result.turn, contributions_of(scene, result, summary_of_patch(scene, result)));
+    return judge_with(scene,
+                      result,
+                      result.turn,
+                      contributions_of(scene, result, summary_of_patch(scene, result)),
+                      slides(result.solution));
   }
 
 
