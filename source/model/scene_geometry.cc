@@ -29,7 +29,7 @@ namespace wheelrail
           measured     = read_profile_file(path, options);
           auto profile = make(*measured, measured->notes);
           for (const std::string &note : note_lines(measured->notes))
-            notes.push_back(entry + " = " + path + ": " + note);
+            notes.push_back(std::string(entry).append(" = ").append(path).append(": ").append(note));
           return profile;
         }
       catch (const InputError &error)

@@ -325,7 +325,7 @@ namespace wheelrail
                  const std::string            &file,
                  std::vector<std::string>     &notes)
   {
-    const Points result = bridge_gaps(points, file, notes);
+    Points result = bridge_gaps(points, file, notes);
     check_loops(result, file);
     return result;
   }
