@@ -16,12 +16,13 @@ Families, whose input N is drawn from seed N:
   meshes    in turn runs of the last two families on cells of 2 mm with Run/Error estimate = two meshes; truth: the run on
             cells of 1 mm, and towards none
 
-Seeds to 2053 calibrated, of peak shear and worn section to 2113; those from 2054 (2114) on judge. Truths are lines of
-truths.jsonl in the present folder and are not solved again; those of the program are lines of FAMILY.jsonl, with the
-causes of their intervals. Printed: of each family and result the share outside (at most 8 of 93), the median width of the interval over
-the value (of forces over the normal force; of creepage and T-gamma, which may be near nought, where a quarter of what friction
-carries is asked for), and the seeds outside. The picture shows of narrower intervals, too, how many hold the truth: spreads
-times a factor hold the share that a normal error would leave in them where they are calibrated.
+Seeds to 2053 calibrated, of peak shear and worn section to 2113, of yielding runs the area to 2104, extents and creep
+to 2121 (width: 2144); those after them judge. Truths are lines of truths.jsonl in the present folder and are not solved
+again; those of the program are lines of FAMILY.jsonl, with the causes of their intervals. Printed: of each family and
+result the share outside (at most 8 of 93), the median width of the interval over the value (of forces over the normal
+force; of creepage and T-gamma, which may be near nought, where a quarter of what friction carries is asked for), and
+the seeds outside. The picture shows of narrower intervals, too, how many hold the truth: spreads times a factor hold
+the share that a normal error would leave in them where they are calibrated.
 """
 
 import csv
