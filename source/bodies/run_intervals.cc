@@ -43,6 +43,10 @@ namespace wheelrail
                          run.patch_lateral);
     }
 
+    // a creepage near nought has the error of a quarter of that at half saturation, and is held against it
+    // (doc/theory/intervals.md, The verdict)
+    constexpr double least_creepage = 0.25;
+
     /// What cells of size h make of extents and creep of steel that yields, with n of them across the patch;
     /// as on 75 random scenes on cells of 3 mm (doc/theory/intervals.md).
     void
@@ -56,7 +60,6 @@ namespace wheelrail
       // over n: creepage to 1.1, T-gamma from 1.4 below to 1 above, sticking part to 0.5, lateral force over
       // the load to 0.1
       constexpr double of_creepage = 1.1, work_shift = -0.2, of_work = 1.2, of_stick = 0.5, of_force = 0.1;
-      constexpr double least = 0.25; // of the creepage at half saturation, which one near nought has
       const double     h = scene.cell_size, n = measures.cells;
       const auto       add = [&](const char *name, const double shift, const double spread) {
         if (std::isfinite(shift + spread) && get_figure(run, figure_named(name).key()) != 0)
@@ -67,7 +70,7 @@ namespace wheelrail
       add("lateral_force", 0, of_force / n * run.normal_force);
       add("stick_fraction", 0, of_stick / n);
       const CreepScale patch = scale_of(scene, run);
-      const double     half  = least * patch.half_saturation(),
+      const double     half  = least_creepage * patch.half_saturation(),
                    creepage  = of_creepage / n * std::max(std::abs(run.creepage), half);
       if (scene.drive == Drive::rate)
         {
@@ -283,9 +286,6 @@ namespace wheelrail
   Known
   known_creep_of_run(const Scene &scene, const Summary &run)
   {
-    // a creepage near nought is held against a quarter of that at half saturation (doc/theory/intervals.md,
-    // The verdict)
-    constexpr double least = 0.25;
     // scale of the creepage c_h, of T-gamma mu N c_h
     const CreepScale patch = scale_of(scene, run);
     const double     half  = patch.half_saturation();
@@ -297,7 +297,7 @@ namespace wheelrail
         const auto    get    = [&](const char *tail) { return get_figure(run, figure.key(tail)); };
         // reach: the farther end of the interval, over the value or a quarter of its scale
         const double value = get(""), reach = std::max(value - get("_low"), get("_high") - value),
-                     within = reach / std::max(std::abs(value), least * scale);
+                     within = reach / std::max(std::abs(value), least_creepage * scale);
         if (within > worst.within || (std::isnan(worst.within) && std::isfinite(within)))
           worst = {within,
                    std::min(2 * get("_error"), left_by_force(name, patch, run)) > 0.5 * reach
