@@ -148,14 +148,12 @@ namespace wheelrail
         results[k].noise = 2 * std::sqrt(squares[k] / draws);
     }
 
-    constexpr int fewest = 8; ///< elements across a patch, below which its peak may be off by 5 % and more
-
     int
     patches_of_few_elements(const PlaceResult &result)
     {
       return static_cast<int>(std::count_if(
         result.contacts.patches.begin(), result.contacts.patches.end(), [](const SectionPatch &patch) {
-          return elements_across(patch.solution) < fewest;
+          return elements_across(patch.solution) < least_elements_across;
         }));
     }
 
@@ -176,7 +174,9 @@ namespace wheelrail
                  "smoother ones.",
                  100 * result.noise));
       if (patches_of_few_elements(result) > 0)
-        add(verdict, Grade::not_trusted, text("fewer than %d elements lie across a patch.", fewest));
+        add(verdict,
+            Grade::not_trusted,
+            text("fewer than %d elements lie across a patch.", least_elements_across));
       return verdict.doubts();
     }
 
@@ -232,7 +232,7 @@ namespace wheelrail
             out << text("%10.3f not trusted: ", 1e3 * sections.places[k]) << doubts << "\n";
         }
       if (coarse > 0)
-        out << "warning: fewer than " << fewest << " elements lie across " << coarse
+        out << "warning: fewer than " << least_elements_across << " elements lie across " << coarse
             << (coarse == 1 ? " patch" : " patches")
             << ", whose peak pressure may be off by 5 % and more: take a smaller Half-space/Element size\n";
     }

@@ -1,141 +1,24 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/contactfiles/case_bodies.h>
+#include <wheelrail/contactfiles/case_tables.h>
 #include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
-#include <wheelrail/contactfiles/wheel_rail_table.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/verdict/rules.h>
 #include <wheelrail/wheel/halfspace_parts.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <ostream>
 
 namespace wheelrail
 {
-  namespace
-  {
-    void
-    print_case(const std::size_t place, const ContactCase &one, const HalfspaceSolution &s, std::ostream &out)
-    {
-      const bool   shift = one.digits.motion == 1;
-      const double scale = shift ? 1e3 : 100; // shifts in mm, creepages in %
-      // what is nothing beside the force that presses prints as nothing, as the solver leaves it
-      const auto force = [&](const double value, const double unit) {
-        return std::abs(value) < 1e-6 * s.fn * unit ? 0. : value;
-      };
-      out << text("%6zu %12.5g %12.5g %12.5g %12.5g %11.5f %11.5g %11.5f %11.5f %10.4g %8.1f\n",
-                  place,
-                  s.fn,
-                  force(s.fx, 1),
-                  force(s.fy, 1),
-                  1e3 * force(s.spin_moment, std::sqrt(s.area)),
-                  1e3 * s.approach,
-                  1e-6 * s.peak_pressure,
-                  scale * s.xi,
-                  scale * s.eta,
-                  1e6 * s.area,
-                  s.area > 0 ? 100 * s.adhesion_area / s.area : 0.);
-    }
-
-    void
-    print_heading(std::ostream &out)
-    {
-      out << "Forces on body 1; creepages, or shifts in mm\n\n"
-             "  case           FN           FX           FY           MZ    approach        peak        CKSI "
-             "       CETA       area    stick\n"
-             "                  N            N            N         N mm          mm         MPa           % "
-             "          %        mm2        %\n";
-    }
-  } // namespace
-
-
-  FigureTable
-  case_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
-  {
-    FigureTable table;
-    table.add_columns(
-      "case 1, line 1, normal_force_N N, longitudinal_force_N N, tangential_lateral_force_N N, "
-      "spin_moment_Nm Nm, approach_m m, max_pressure_Pa Pa, max_shear_traction_Pa Pa, creepage 1, "
-      "lateral_creepage 1, shift_m m, lateral_shift_m m, spin_per_m 1/m, area_of_whole_elements_m2 m2, "
-      "stick_fraction 1, max_temperature_C C, converged 1");
-    for (std::size_t k = 0; k < cases.size(); ++k)
-      if (results[k].solved)
-        {
-          const HalfspaceSolution &s     = results[k].solved->solution;
-          const bool               shift = cases[k].digits.motion == 1;
-          const double             none  = Summary::none;
-          table.add_row({double(k + 1),
-                         double(cases[k].line),
-                         s.fn,
-                         s.fx,
-                         s.fy,
-                         s.spin_moment,
-                         s.approach,
-                         s.peak_pressure,
-                         s.peak_shear,
-                         shift ? none : s.xi,
-                         shift ? none : s.eta,
-                         shift ? s.xi : none,
-                         shift ? s.eta : none,
-                         shift ? none : s.phi,
-                         s.area,
-                         s.area > 0 ? s.adhesion_area / s.area : none,
-                         hottest(s),
-                         s.converged() ? 1. : 0.});
-        }
-    return table;
-  }
-
-
-  FigureTable
-  point_table(const std::vector<CaseResult> &results)
-  {
-    FigureTable table;
-    table.add_columns(
-      "case 1, patch 1, block 1, x_m m, y_m m, z_m m, mean_stress_Pa Pa, von_mises_stress_Pa Pa, "
-      "tresca_stress_Pa Pa, principal_1_Pa Pa, principal_2_Pa Pa, principal_3_Pa Pa, stress_xx_Pa Pa, "
-      "stress_yy_Pa Pa, stress_zz_Pa Pa, stress_xy_Pa Pa, stress_xz_Pa Pa, stress_yz_Pa Pa");
-    const auto add = [&](const std::size_t                            number,
-                         const std::size_t                            patch,
-                         const std::vector<std::vector<PointStress>> &blocks) {
-      for (std::size_t b = 0; b < blocks.size(); ++b)
-        for (const PointStress &p : blocks[b])
-          table.add_row({double(number),
-                         double(patch),
-                         double(b + 1),
-                         p.x,
-                         p.y,
-                         p.z,
-                         p.mean(),
-                         p.stress.von_mises(),
-                         p.principal[0] - p.principal[2],
-                         p.principal[0],
-                         p.principal[1],
-                         p.principal[2],
-                         p.stress.xx,
-                         p.stress.yy,
-                         p.stress.nn,
-                         p.stress.xy,
-                         p.stress.xn,
-                         p.stress.yn});
-    };
-    for (std::size_t k = 0; k < results.size(); ++k)
-      if (results[k].solved)
-        add(k + 1, 1, results[k].solved->points);
-      else if (results[k].wheel_rail)
-        for (std::size_t patch = 0; patch < results[k].wheel_rail->patches.size(); ++patch)
-          add(k + 1, patch + 1, results[k].wheel_rail->patches[patch].points);
-    return table;
-  }
-
   namespace
   {
     /// What is asked of the file: all its cases, or one and those before that it may go on from, which come
@@ -183,7 +66,7 @@ namespace wheelrail
     bool
     is_coarse(const HalfspaceSolution &s)
     {
-      return s.fn > 0 && s.grid.mx > 1 && s.grid.my > 1 && elements_across(s) < 8;
+      return s.fn > 0 && s.grid.mx > 1 && s.grid.my > 1 && elements_across(s) < least_elements_across;
     }
 
     /// In which cases a contact that carries more than `share` of their load is so: " 9, 12"; empty: in none.
@@ -304,25 +187,29 @@ namespace wheelrail
       set_figure(summary, "cases_solved", solved);
       set_figure(summary, "cases_refused", refused);
       set_figure(summary, "cases_not_converged", double(poor));
-      const auto doubt = [&](const bool is, const std::string &sentence) {
-        if (is)
-          summary.doubts += (summary.doubts.empty() ? "" : " ") + sentence;
-      };
+      Verdict           verdict;
       const std::string cut    = cases_that_are(cut_off, 0, results),
                         coarse = cases_that_are(is_coarse, 0.1, results);
-      doubt(poor > 0, "Cases were not solved to their tolerance: see column converged of the tables.");
-      doubt(!cut.empty(),
+      if (poor > 0)
+        add(verdict,
+            Grade::not_trusted,
+            "Cases were not solved to their tolerance: see column converged of the tables.");
+      if (!cut.empty())
+        add(verdict,
+            Grade::not_trusted,
             "The contact reaches the edge of the grid in case" + cut +
               ": what lies beyond carries nothing; take a larger grid.");
-      doubt(!coarse.empty(),
+      if (!coarse.empty())
+        add(verdict,
+            Grade::not_trusted,
             "Fewer than eight elements lie across the contact in case" + coarse + "; take smaller ones.");
-      summary.verdict = !summary.doubts.empty()       ? "not trusted"
-                        : wheel_rail + simplified > 0 ? "with care"
-                                                      : summary.verdict;
-      doubt(wheel_rail > 0 && summary.verdict == "with care",
+      if (wheel_rail > 0)
+        add(verdict,
+            Grade::with_care,
             "Wheel and rail are half-spaces, as in CONTACT; true bodies differ (--bodies real).");
-      doubt(simplified > 0 && summary.verdict == "with care",
-            "FASTSIM (M = 2, 3) is an approximation, of forces to some 10 %.");
+      if (simplified > 0)
+        add(verdict, Grade::with_care, "FASTSIM (M = 2, 3) is an approximation, of forces to some 10 %.");
+      set_verdict(summary, verdict);
       return summary;
     }
 

@@ -11,9 +11,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Fewest elements across a contact.
-    constexpr int least_across = 8;
-
     std::string
     counted_elements(const int n)
     {
@@ -98,7 +95,7 @@ namespace wheelrail
         const int         n        = elements_across(solution);
         // half as many again as are needed, since so few tell the size of the contact only roughly; the first
         // guess of the approach is that of another load, and the grid over it larger than the contact by far
-        const double factor = std::max(n, 1) / (1.5 * least_across),
+        const double factor = std::max(n, 1) / (1.5 * least_elements_across),
                      nearer = std::clamp(1.5 * solution.approach, 1e-3 * approach, approach),
                      size   = static_cast<double>(problem.grid.size()) * nearer / approach;
         if (solution.touches_grid_edge && enlargements < most)
@@ -107,7 +104,8 @@ namespace wheelrail
             ++enlargements;
             approach *= 1.5;
           }
-        else if (n < least_across && size < most_elements * factor * factor && refinements < most_refinements)
+        else if (n < least_elements_across && size < most_elements * factor * factor &&
+                 refinements < most_refinements)
           {
             ++refinements;
             element *= factor;
@@ -141,14 +139,15 @@ namespace wheelrail
   {
     const int    n      = elements_across(solution);
     const double wanted = scene.halfspace_element_size, used = solution.grid.dx;
-    if (used > 0.9 * wanted && n >= least_across)
+    if (used > 0.9 * wanted && n >= least_elements_across)
       return "";
     return "Half-space/Element size = " + in_mm(wanted) + ": " +
            (used > 0.9 * wanted
               ? ""
               : "too coarse for this contact, elements of " + in_mm(used, 1e5) + " were taken; ") +
            counted_elements(n) + " across the contact" +
-           (n < least_across ? ", too few for results: the peak pressure may be off by 5 % and more" : "");
+           (n < least_elements_across ? ", too few for results: the peak pressure may be off by 5 % and more"
+                                      : "");
   }
 
 

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <wheelrail/contactfiles/solve_cases.h>
-#include <wheelrail/output/figure_table.h>
-
 #include <iosfwd>
 #include <string>
-#include <vector>
 
 namespace wheelrail
 {
@@ -17,15 +13,6 @@ namespace wheelrail
     bool        printed = false; ///< CONTACT's own result blocks, too
     bool        bodies  = false; ///< cases of module 1 between true bodies, too
   };
-
-  /// One row a case that is solved, in SI units: its place in the file and its line, forces on body 1, moment
-  /// about the normal, approach, creepages or shifts, peaks and areas.
-  FigureTable
-  case_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results);
-
-  /// One row a point below the surface, in SI units: case, patch and block, place, stresses.
-  FigureTable
-  point_table(const std::vector<CaseResult> &results);
 
   /// The folder of its results: output/NAME-contact.
   std::string

@@ -25,6 +25,9 @@ namespace wheelrail
   WheelMotion
   plane_motion(const Scene &scene, const ContactGeometry &contact);
 
+  /// Fewest elements across a contact: fewer err by 5 % and more in the peak pressure.
+  constexpr int least_elements_across = 8;
+
   /// Number of elements with pressure in a row through the one with the highest pressure, along or across,
   /// whichever is less; 0 without contact.
   int
@@ -33,8 +36,8 @@ namespace wheelrail
   /// Solves the normal problem alone, with `lay_grid`, which sets grid and undeformed distance for an
   /// approach and an element size [m], called with ever larger approaches until the contact keeps off the
   /// edge of the grid, `most` times beyond the first at most, and with smaller elements than `element` until
-  /// eight of them lie across the contact (fewer err by 5 % and more in the peak pressure) or the grid would
-  /// have more than 50 000. The number of enlargements comes back in `enlargements`.
+  /// least_elements_across lie across the contact or the grid would have more than 50 000. The number of
+  /// enlargements comes back in `enlargements`.
   HalfspaceSolution
   solve_on_growing_grid(HalfspaceProblem                          &problem,
                         double                                     approach,

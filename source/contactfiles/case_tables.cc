@@ -1,10 +1,93 @@
 #include <wheelrail/base/format_text.h>
-#include <wheelrail/contactfiles/wheel_rail_table.h>
+#include <wheelrail/contactfiles/case_tables.h>
+#include <wheelrail/output/summary.h>
 
+#include <cmath>
+#include <cstddef>
 #include <ostream>
 
 namespace wheelrail
 {
+  FigureTable
+  case_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
+  {
+    FigureTable table;
+    table.add_columns(
+      "case 1, line 1, normal_force_N N, longitudinal_force_N N, tangential_lateral_force_N N, "
+      "spin_moment_Nm Nm, approach_m m, max_pressure_Pa Pa, max_shear_traction_Pa Pa, creepage 1, "
+      "lateral_creepage 1, shift_m m, lateral_shift_m m, spin_per_m 1/m, area_of_whole_elements_m2 m2, "
+      "stick_fraction 1, max_temperature_C C, converged 1");
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      if (results[k].solved)
+        {
+          const HalfspaceSolution &s     = results[k].solved->solution;
+          const bool               shift = cases[k].digits.motion == 1;
+          const double             none  = Summary::none;
+          table.add_row({double(k + 1),
+                         double(cases[k].line),
+                         s.fn,
+                         s.fx,
+                         s.fy,
+                         s.spin_moment,
+                         s.approach,
+                         s.peak_pressure,
+                         s.peak_shear,
+                         shift ? none : s.xi,
+                         shift ? none : s.eta,
+                         shift ? s.xi : none,
+                         shift ? s.eta : none,
+                         shift ? none : s.phi,
+                         s.area,
+                         s.area > 0 ? s.adhesion_area / s.area : none,
+                         hottest(s),
+                         s.converged() ? 1. : 0.});
+        }
+    return table;
+  }
+
+
+  FigureTable
+  point_table(const std::vector<CaseResult> &results)
+  {
+    FigureTable table;
+    table.add_columns(
+      "case 1, patch 1, block 1, x_m m, y_m m, z_m m, mean_stress_Pa Pa, von_mises_stress_Pa Pa, "
+      "tresca_stress_Pa Pa, principal_1_Pa Pa, principal_2_Pa Pa, principal_3_Pa Pa, stress_xx_Pa Pa, "
+      "stress_yy_Pa Pa, stress_zz_Pa Pa, stress_xy_Pa Pa, stress_xz_Pa Pa, stress_yz_Pa Pa");
+    const auto add = [&](const std::size_t                            number,
+                         const std::size_t                            patch,
+                         const std::vector<std::vector<PointStress>> &blocks) {
+      for (std::size_t b = 0; b < blocks.size(); ++b)
+        for (const PointStress &p : blocks[b])
+          table.add_row({double(number),
+                         double(patch),
+                         double(b + 1),
+                         p.x,
+                         p.y,
+                         p.z,
+                         p.mean(),
+                         p.stress.von_mises(),
+                         p.principal[0] - p.principal[2],
+                         p.principal[0],
+                         p.principal[1],
+                         p.principal[2],
+                         p.stress.xx,
+                         p.stress.yy,
+                         p.stress.nn,
+                         p.stress.xy,
+                         p.stress.xn,
+                         p.stress.yn});
+    };
+    for (std::size_t k = 0; k < results.size(); ++k)
+      if (results[k].solved)
+        add(k + 1, 1, results[k].solved->points);
+      else if (results[k].wheel_rail)
+        for (std::size_t patch = 0; patch < results[k].wheel_rail->patches.size(); ++patch)
+          add(k + 1, patch + 1, results[k].wheel_rail->patches[patch].points);
+    return table;
+  }
+
+
   FigureTable
   wheel_rail_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
   {
@@ -83,6 +166,40 @@ namespace wheelrail
                            hottest(s)});
           }
     return table;
+  }
+
+
+  void
+  print_case(const std::size_t place, const ContactCase &one, const HalfspaceSolution &s, std::ostream &out)
+  {
+    const bool   shift = one.digits.motion == 1;
+    const double scale = shift ? 1e3 : 100; // shifts in mm, creepages in %
+    // what is nothing beside the force that presses prints as nothing, as the solver leaves it
+    const auto force = [&](const double value, const double unit) {
+      return std::abs(value) < 1e-6 * s.fn * unit ? 0. : value;
+    };
+    out << text("%6zu %12.5g %12.5g %12.5g %12.5g %11.5f %11.5g %11.5f %11.5f %10.4g %8.1f\n",
+                place,
+                s.fn,
+                force(s.fx, 1),
+                force(s.fy, 1),
+                1e3 * force(s.spin_moment, std::sqrt(s.area)),
+                1e3 * s.approach,
+                1e-6 * s.peak_pressure,
+                scale * s.xi,
+                scale * s.eta,
+                1e6 * s.area,
+                s.area > 0 ? 100 * s.adhesion_area / s.area : 0.);
+  }
+
+  void
+  print_heading(std::ostream &out)
+  {
+    out << "Forces on body 1; creepages, or shifts in mm\n\n"
+           "  case           FN           FX           FY           MZ    approach        peak        CKSI "
+           "       CETA       area    stick\n"
+           "                  N            N            N         N mm          mm         MPa           % "
+           "          %        mm2        %\n";
   }
 
 
