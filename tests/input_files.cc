@@ -1,5 +1,5 @@
 // label: fast
-// needs: track
+// needs: track sections
 
 // Parameter files as texts: syntax, the ready scenes, and the command line that reads them.
 

@@ -8,7 +8,7 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/height_grid.h>
-#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/sections/slices_file.h>
 #include <wheelrail/wheel/irregular_places.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Surfaces that were measured, by half-spaces: noise is smoothed and told, slices lie at unequal places, the
 // edges of a fresh flat are found in its heights.
+// needs: sections
 #include "check.h"
 
 #include <wheelrail/geometry/irregular_shapes.h>

@@ -1,3 +1,4 @@
+// needs: sections
 // label: fast
 
 // Copies of profile files in the output folder, which a scene finds again.

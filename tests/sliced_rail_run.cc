@@ -11,10 +11,10 @@
 #include "stopped_runs.h"
 
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/model/rail_slices.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/run_state.h>
+#include <wheelrail/sections/rail_slices.h>
 #include <wheelrail/sections/section_contacts.h>
 #include <wheelrail/wheel/halfspace_parts.h>
 

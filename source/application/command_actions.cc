@@ -3,7 +3,6 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/material_command.h>
-#include <wheelrail/application/sections_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/read_file.h>
@@ -29,6 +28,7 @@
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
+#include <wheelrail/sections/sections_command.h>
 #include <wheelrail/vehicle/wheelset_command.h>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
 #include <wheelrail/application/command_actions.h>
 #include <wheelrail/application/places_command.h>
-#include <wheelrail/application/sections_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/left_out.h>
 #include <wheelrail/bodies/answering_bodies.h>
@@ -21,6 +20,7 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/run/end_screen.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/sections/sections_command.h>
 #include <wheelrail/vehicle/creep_curve_command.h>
 #include <wheelrail/vehicle/wheelset_command.h>
 #include <wheelrail/wheel/given_distance.h>

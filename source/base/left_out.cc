@@ -17,11 +17,12 @@ namespace wheelrail
     const Built &
     built(const Subject subject)
     {
-      static constexpr std::array<Built, 4> all = {
+      static constexpr std::array<Built, 5> all = {
         {{"track", "TRACK", WHEELRAIL_TRACK},
          {"vehicle", "VEHICLE", WHEELRAIL_VEHICLE},
          {"wear", "WEAR", WHEELRAIL_WEAR},
-         {"files of CONTACT", "CONTACT_FILES", WHEELRAIL_CONTACT_FILES}}};
+         {"files of CONTACT", "CONTACT_FILES", WHEELRAIL_CONTACT_FILES},
+         {"rails by slices", "SECTIONS", WHEELRAIL_SECTIONS}}};
       return all[static_cast<std::size_t>(subject)];
     }
   } // namespace

@@ -7,7 +7,7 @@
 #include <wheelrail/contactfiles/contact_input.h>
 #include <wheelrail/contactfiles/patch_problem.h>
 #include <wheelrail/profiles/measured_profiles.h>
-#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/sections/slices_file.h>
 #include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>

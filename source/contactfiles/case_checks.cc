@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contactfiles/case_checks.h>
-#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/sections/slices_file.h>
 #include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <ostream>
+#include <vector>
 
 namespace wheelrail
 {

@@ -5,9 +5,9 @@
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/profiles/profile_formats.h>
-#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/profiles/smoothing_spline.h>
 #include <wheelrail/sections/cubic_spline.h>
+#include <wheelrail/sections/slices_file.h>
 
 #include <algorithm>
 #include <cmath>

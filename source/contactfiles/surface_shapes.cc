@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contactfiles/surface_shapes.h>
-#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/sections/slices_file.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,6 @@
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/profiles/profile_file.h>
-#include <wheelrail/profiles/slices_file.h>
 
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
@@ -121,8 +120,8 @@ namespace wheelrail
       {
         std::string text = read_whole_file(file.path);
         if (is_slices_file(file.path))
-          for (const Slices::Slice &slice : read_slices_file(file.path, ProfileUnit::automatic).slices)
-            text += read_whole_file(slice.file);
+          for (const std::string &slice : files_of_slices(file.path))
+            text += read_whole_file(slice);
         return text;
       }
     catch (const std::runtime_error &) // the command that needs it tells

@@ -2,7 +2,6 @@
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/output/replace_file.h>
-#include <wheelrail/profiles/slices_file.h>
 
 #include <filesystem>
 #include <system_error>

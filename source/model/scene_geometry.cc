@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/model/rail_slices.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/model/scene_irregularities.h>
+#include <wheelrail/model/sliced_rails.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/note_lines.h>
 
@@ -59,7 +59,7 @@ namespace wheelrail
     std::optional<RailProfile>
     rail_opposite(const Scene &scene)
     {
-      if (!scene.rail_by_slices() || !rails_beside(scene, turned_slices(scene, scene.rail_profile)))
+      if (!scene.rail_by_slices() || !is_crossing(scene))
         return {};
       return rail_profile(scene.rail_body == "auto" ? "54E1" : scene.rail_body);
     }

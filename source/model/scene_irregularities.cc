@@ -4,10 +4,10 @@
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/geometry/roughness.h>
 #include <wheelrail/mesh/sweep_plan.h>
-#include <wheelrail/model/rise_of_slices.h>
 #include <wheelrail/model/scene_irregularities.h>
+#include <wheelrail/model/sliced_rails.h>
+#include <wheelrail/profiles/height_grid.h>
 #include <wheelrail/profiles/roughness_file.h>
-#include <wheelrail/profiles/slices_file.h>
 
 #include <cmath>
 #include <utility>
@@ -31,26 +31,6 @@ namespace wheelrail
     };
 
     Irregularity
-    from_slices(const ProfileSettings    &scene,
-                const IrregularityData   &data,
-                const TouchingProfiles   &profiles,
-                const ShapePlace         &at,
-                std::vector<std::string> &notes)
-    {
-      const ProfileFileOptions &options = at.wheel ? scene.wheel_file : scene.rail_file;
-      const Slices              slices  = read_slices_file(data.file, options.unit);
-      if (slices.wheel != at.wheel)
-        throw InputError(data.file + ": slices of a " + (slices.wheel ? "wheel" : "rail") + " on the " +
-                         (at.wheel ? "wheel" : "rail") + "; change Body");
-      const Curve     &curve = at.wheel ? profiles.wheel.tread : profiles.rail.head;
-      const HeightGrid grid  = heights_of_slices(slices, curve, at.radius, options.noise, data.file);
-      if (grid.noise > 0)
-        notes.push_back("slices off as a whole by " + text("%.2g um", 1e6 * grid.noise) +
-                        " from one to the next");
-      return slices_irregularity(grid, slices, at.size.place, options.noise, at.circumference());
-    }
-
-    Irregularity
     from_file(const ProfileSettings    &scene,
               const IrregularityData   &data,
               const TouchingProfiles   &profiles,
@@ -59,7 +39,7 @@ namespace wheelrail
     {
       constexpr double least_step = 2e-6;
       if (is_slices_file(data.file))
-        return from_slices(scene, data, profiles, at, notes);
+        return irregularity_of_slices(scene, data, profiles, at.size.place, at.radius, notes);
       const HeightGrid grid = read_height_file(data.file);
       notes.insert(notes.end(), grid.notes.begin(), grid.notes.end());
       Irregularity shape = measured_irregularity(

@@ -242,4 +242,12 @@ namespace wheelrail
   {
     return read_profile_text(read_text(path), path, options);
   }
+
+
+  bool
+  is_slices_file(const std::string &path)
+  {
+    const std::string ending = lower(std::filesystem::path(path).extension().string());
+    return ending == ".slcs" || ending == ".slcw";
+  }
 } // namespace wheelrail

@@ -148,11 +148,6 @@ namespace wheelrail
       {
         return force_;
       }
-      double
-      patch_length() const
-      {
-        return length_;
-      }
 
     private:
       double     length_, width_, pressure_, force_, friction_, normal_, radius_;

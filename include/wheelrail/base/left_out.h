@@ -7,13 +7,14 @@ namespace wheelrail
   /// The subjects that a build can leave out, by options of CMake of the same names: WHEELRAIL_TRACK (pads,
   /// sleepers, receptance), WHEELRAIL_VEHICLE (wheelsets, rows of a vehicle simulation, creep curves),
   /// WHEELRAIL_WEAR (profiles that wear; needs vehicle), WHEELRAIL_CONTACT_FILES (files of the program
-  /// CONTACT).
+  /// CONTACT; needs sections), WHEELRAIL_SECTIONS (rails by slices, as crossings).
   enum class Subject
   {
     track,
     vehicle,
     wear,
-    contact_files
+    contact_files,
+    sections
   };
 
   bool

@@ -83,4 +83,12 @@ namespace wheelrail
   /// The profile with another of the curves that its points leave possible, see smoothing_spline().
   MeasuredProfile
   drawn(MeasuredProfile profile, unsigned int draw);
+
+  /// Whether a path is that of a file of slices along the track or around the wheel (.slcs, .slcw).
+  bool
+  is_slices_file(const std::string &path);
+
+  /// The files of the slices that such a file names.
+  std::vector<std::string>
+  files_of_slices(const std::string &path);
 } // namespace wheelrail

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <wheelrail/profiles/profile_file.h>
-#include <wheelrail/profiles/slices_file.h>
 
 #include <string>
 

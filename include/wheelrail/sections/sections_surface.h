@@ -1,8 +1,8 @@
 #pragma once
 
 #include <wheelrail/geometry/plane.h>
-#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/sections/section_column.h>
+#include <wheelrail/sections/slices_file.h>
 
 #include <cstddef>
 #include <limits>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <wheelrail/geometry/curve.h>
-#include <wheelrail/profiles/height_grid.h>
 #include <wheelrail/profiles/profile_file.h>
 
 #include <string>
@@ -33,28 +32,4 @@ namespace wheelrail
   /// Throws InputError that names file and line, what was found and what is accepted.
   Slices
   read_slices_file(const std::string &path, ProfileUnit unit);
-
-  /// Whether a path is that of a slices file.
-  bool
-  is_slices_file(const std::string &path);
-
-  /// The heights of slices over a profile, along its outward normal: each 0.5 mm across where slices and
-  /// profile lie beside each other, smoothed across as profiles are. `radius` of the circle on which the arcs
-  /// of a wheel count [m], `noise` of the points [m] (negative: as found in them). Throws InputError where a
-  /// slice is more than 5 mm away from the profile or narrower than 10 mm of it.
-  HeightGrid
-  heights_of_slices(const Slices      &slices,
-                    const Curve       &profile,
-                    double             radius,
-                    double             noise,
-                    const std::string &path);
-
-  /// The irregularity of such heights, smoothed along unless their `noise` is given (0 or more): before the
-  /// first slice and behind the last one they stay.
-  Irregularity
-  slices_irregularity(const HeightGrid &heights,
-                      const Slices     &slices,
-                      double            place,
-                      double            noise,
-                      double            circumference);
 } // namespace wheelrail

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/scene/scene.h>
 #include <wheelrail/sections/sections_surface.h>
+#include <wheelrail/sections/slices_file.h>
 
 #include <string>
 #include <vector>
@@ -50,9 +49,4 @@ namespace wheelrail
                     const SectionsSurface &rail,
                     const Placement       &placement,
                     unsigned int           draw);
-
-  /// The rail for a mesh: that of the slice nearest to where the path begins, on its standard body. Throws
-  /// InputError that names the entry.
-  void
-  read_sliced_rail(const Scene &scene, SceneProfiles &profiles);
 } // namespace wheelrail

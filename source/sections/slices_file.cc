@@ -3,7 +3,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/profiles/profile_text.h>
-#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/sections/slices_file.h>
 
 #include <algorithm>
 #include <cctype>
@@ -209,14 +209,6 @@ namespace wheelrail
   } // namespace
 
 
-  bool
-  is_slices_file(const std::string &path)
-  {
-    const std::string ending = lower(std::filesystem::path(path).extension().string());
-    return ending == ".slcs" || ending == ".slcw";
-  }
-
-
   Slices
   read_slices_file(const std::string &path, const ProfileUnit unit)
   {
@@ -225,5 +217,15 @@ namespace wheelrail
     SlicesText text(path);
     read_slices(text, path, unit, slices);
     return slices;
+  }
+
+
+  std::vector<std::string>
+  files_of_slices(const std::string &path)
+  {
+    std::vector<std::string> files;
+    for (const Slices::Slice &slice : read_slices_file(path, ProfileUnit::automatic).slices)
+      files.push_back(slice.file);
+    return files;
   }
 } // namespace wheelrail

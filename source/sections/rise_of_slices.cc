@@ -2,14 +2,16 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
-#include <wheelrail/model/rail_slices.h>
-#include <wheelrail/model/rise_of_slices.h>
-#include <wheelrail/model/rise_over_section.h>
+#include <wheelrail/model/sliced_rails.h>
 #include <wheelrail/profiles/height_noise.h>
+#include <wheelrail/sections/rail_slices.h>
+#include <wheelrail/sections/rise_over_section.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 // A rail whose section changes slowly is the swept rail of one section, whose surface rises and falls along
 // the normal of that section (RunningSurface): whatever knows irregular surfaces knows it.

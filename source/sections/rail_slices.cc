@@ -1,10 +1,11 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/model/crossing_surface.h>
-#include <wheelrail/model/rail_slices.h>
+#include <wheelrail/model/sliced_rails.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/note_lines.h>
 #include <wheelrail/profiles/smoothing_spline.h>
+#include <wheelrail/sections/crossing_surface.h>
+#include <wheelrail/sections/rail_slices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +131,13 @@ namespace wheelrail
   rails_beside(const ProfileSettings &scene, const Slices &slices)
   {
     return scene.second_rail != "none" && lie_beside(slices, turned_slices(scene, scene.second_rail));
+  }
+
+
+  bool
+  is_crossing(const ProfileSettings &scene)
+  {
+    return rails_beside(scene, turned_slices(scene, scene.rail_profile));
   }
 
 

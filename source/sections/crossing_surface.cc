@@ -2,10 +2,10 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/model/crossing_heights.h>
-#include <wheelrail/model/crossing_surface.h>
-#include <wheelrail/model/rail_slices.h>
-#include <wheelrail/model/rise_over_section.h>
+#include <wheelrail/sections/crossing_heights.h>
+#include <wheelrail/sections/crossing_surface.h>
+#include <wheelrail/sections/rail_slices.h>
+#include <wheelrail/sections/rise_over_section.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <wheelrail/model/crossing_heights.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/sections/crossing_heights.h>
 #include <wheelrail/sections/posed_wheel.h>
 
 #include <algorithm>

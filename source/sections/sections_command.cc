@@ -1,4 +1,3 @@
-#include <wheelrail/application/sections_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/parallel.h>
@@ -8,12 +7,13 @@
 #include <wheelrail/commands/halfspace_results.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/listing.h>
-#include <wheelrail/model/rail_slices.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/sections/rail_slices.h>
 #include <wheelrail/sections/section_contacts.h>
+#include <wheelrail/sections/sections_command.h>
 #include <wheelrail/verdict/rules.h>
 #include <wheelrail/wheel/halfspace_parts.h>
 #include <wheelrail/wheel/irregular_places.h>

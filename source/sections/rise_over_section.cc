@@ -1,8 +1,8 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/geometry/irregular_shapes.h>
-#include <wheelrail/model/crossing_surface.h>
-#include <wheelrail/model/rise_over_section.h>
+#include <wheelrail/sections/crossing_surface.h>
 #include <wheelrail/sections/cubic_spline.h>
+#include <wheelrail/sections/rise_over_section.h>
 
 #include <algorithm>
 #include <cmath>
