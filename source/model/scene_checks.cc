@@ -156,23 +156,6 @@ namespace wheelrail
       return " With Wheelset/Lateral shift = " + in_mm(std::trunc(1e4 * good) / 1e4) + " they can.";
     }
 
-    /// Whether blocks fit where the slices of the rail are mirrored.
-    bool
-    fits_mirrored(const Scene &scene)
-    {
-      Scene mirrored = scene;
-      mirrored.rail_file.mirror =
-        scene.rail_file.mirror == ProfileMirror::yes ? ProfileMirror::no : ProfileMirror::yes;
-      try
-        {
-          return scene.rail_by_slices() && fits(mirrored, make_geometry(mirrored));
-        }
-      catch (const InputError &)
-        {
-          return false;
-        }
-    }
-
     /// Whether blocks of the wanted size fit into both sections: lays them out, which takes 20 ms.
     void
     check_sections(const Scene &scene, const SceneGeometry &geometry, Findings &found)
@@ -186,23 +169,10 @@ namespace wheelrail
         }
       catch (const std::exception &error)
         {
-          if (fits_mirrored(scene))
-            {
-              found.errors.push_back(
-                entry_text(scene, "Profiles", "Rail mirror") +
-                ": the slices are probably mirrored; their y should point to the field side. With " +
-                (scene.rail_file.mirror == ProfileMirror::yes ? "no" : "yes") +
-                " rail and wheel can be divided into cells; now they cannot: " + error.what());
-              return;
-            }
-          const std::string others = what_fits(scene, geometry);
           found.errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
                                  ": rail and wheel cannot be divided into cells at " +
                                  entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what() +
-                                 others +
-                                 (scene.rail_by_slices() && others.empty()
-                                    ? " Does y of all slices point to the field side (Profiles/Rail mirror)?"
-                                    : ""));
+                                 what_fits(scene, geometry));
         }
     }
 

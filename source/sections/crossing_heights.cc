@@ -7,17 +7,23 @@
 
 namespace wheelrail
 {
+  std::optional<double>
+  above_section(const PosedWheel &wheel, const Point2 &p, const TrackDimensions &track, const double height)
+  {
+    const Placement rail{{}, -std::atan(track.inclination)};
+    const Point2    P = rail.to_track(p), up = rail.to_track({0, 1});
+    return wheel.distance({P.x, P.y, 0}, {up.x, up.y, 0}, height);
+  }
+
+
   WheelLine
   wheel_line(const Scene &scene, const WheelProfile &profile)
   {
     constexpr double steepest = 0.6, below = -30e-3;
     constexpr int    reach = 320;
     const PosedWheel wheel(profile, scene.track, wheelset_pose(scene));
-    const Placement  rail{{}, -std::atan(scene.track.inclination)};
-    const Point2     up = rail.to_track({0, 1});
     const auto       at = [&](const int i) {
-      const Point2 p        = rail.to_track({i * crossing_spacing, below});
-      const auto   distance = wheel.distance({p.x, p.y, 0}, {up.x, up.y, 0}, 0);
+      const auto distance = above_section(wheel, {i * crossing_spacing, below}, scene.track, 0);
       return distance ? below + *distance : HUGE_VAL;
     };
     const auto end = [&](const int step) {

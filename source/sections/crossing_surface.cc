@@ -50,6 +50,7 @@ namespace wheelrail
   struct CrossingSurface::OneRail
   {
     std::string                      entry;     ///< with its value
+    std::vector<SectionColumn>       columns;   ///< along; empty where the rail is not, or cut off
     std::vector<std::vector<double>> height;    ///< [along][across] [m]
     Range                            ends;      ///< where it is [m]
     double                           sinks = 0; ///< length of an end [m]
@@ -86,7 +87,8 @@ namespace wheelrail
     const SectionsSurface rail  = read_rail_slices(scene, "Profiles/" + name, path, {}, notes);
     const double          least = 3 * scene.cell_size;
     const std::size_t     n     = along.size();
-    OneRail one{entry_text(scene, "Profiles", name), {}, {rail.begin(), rail.end()}, std::max(least, 10e-3)};
+    OneRail               one{
+      entry_text(scene, "Profiles", name), {}, {}, {rail.begin(), rail.end()}, std::max(least, 10e-3)};
     std::vector<SectionColumn> columns(n);
     for (const double place : along)
       rail.refuse_jump(std::clamp(place, slices_.s0, slices_.s1));
@@ -117,7 +119,10 @@ namespace wheelrail
     parallel_for(n, [&](const std::size_t k) {
       if (k >= first && k <= last && there(k))
         one.height[k] = heights_of(columns[k], across);
+      else
+        columns[k] = {};
     });
+    one.columns = std::move(columns);
     return one;
   }
 
@@ -180,10 +185,12 @@ namespace wheelrail
   void
   CrossingSurface::fill(const std::vector<OneRail> &rails,
                         const std::vector<double>  &wheel,
-                        const double                radius,
-                        const double                edge,
+                        const Scene                &scene,
+                        const WheelProfile         &profile,
                         std::vector<std::string>   &notes)
   {
+    // fine cells end in front of the chamfer (make_fine_strip()), and half a patch is two cells
+    const double      edge = across.back() - 0.3 * scene.coarse_cell_size - 2 * scene.cell_size;
     const std::size_t n = along.size(), m = across.size();
     height.assign(n, std::vector<double>(m, nothing));
     second_.assign(n, std::vector<char>(m, 0));
@@ -201,8 +208,9 @@ namespace wheelrail
       }
     if (*std::max_element(highest.begin(), highest.end()) == nothing)
       throw InputError("wheel and rails by slices do not lie over each other");
-    const std::vector<double> heights = swept(highest, highest_across, edge, radius);
-    std::size_t               first = m, end = 0;
+    const std::vector<double> heights = swept(highest, highest_across, edge, scene.track.nominal_radius);
+    refuse_flange(rails, heights, scene, profile);
+    std::size_t first = m, end = 0;
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = 0; i < m; ++i)
         {
@@ -266,6 +274,30 @@ namespace wheelrail
   }
 
 
+  /// Throws InputError where the flange would lie in a rail when the tread rolls over both.
+  void
+  CrossingSurface::refuse_flange(const std::vector<OneRail> &rails,
+                                 const std::vector<double>  &heights,
+                                 const Scene                &scene,
+                                 const WheelProfile         &profile) const
+  {
+    const PosedWheel wheel(profile, scene.track, wheelset_pose(scene));
+    for (std::size_t k = start; k + start < along.size(); ++k)
+      for (const OneRail &rail : rails)
+        for (const Point2 &p : rail.columns[k].points())
+          {
+            const double x    = -p.x;
+            const auto   free = above_section(wheel, {x, p.y}, scene.track, heights[k]);
+            if (x < across.front() && free && *free < 0)
+              throw InputError(
+                "at " + in_mm(along[k]) + " along the rails the flange runs into " + rail.entry +
+                "; y of all slices should point to the field side (Profiles/Rail mirror); else "
+                "move the wheel by Wheelset/Lateral shift, or roll a shorter "
+                "Run/Rolling distance");
+          }
+  }
+
+
   void
   CrossingSurface::keep(std::size_t first, std::size_t end)
   {
@@ -299,9 +331,8 @@ namespace wheelrail
     fill({read_rail(scene, "Rail", scene.rail_profile, notes),
           read_rail(scene, "Second rail", scene.second_rail, notes)},
          wheel.height,
-         scene.track.nominal_radius,
-         // fine cells end in front of the chamfer (make_fine_strip()), and half a patch is two cells
-         across.back() - 0.3 * scene.coarse_cell_size - 2 * scene.cell_size,
+         scene,
+         profile,
          notes);
   }
 

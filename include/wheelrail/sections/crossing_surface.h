@@ -78,9 +78,16 @@ namespace wheelrail
     void
     fill(const std::vector<OneRail> &rails,
          const std::vector<double>  &wheel,
-         double                      radius,
-         double                      edge,
+         const Scene                &scene,
+         const WheelProfile         &profile,
          std::vector<std::string>   &notes);
+
+    void
+    refuse_flange(const std::vector<OneRail> &rails,
+                  const std::vector<double>  &heights,
+                  const Scene                &scene,
+                  const WheelProfile         &profile) const;
+
     void
     tell_ends(const std::vector<OneRail> &rails,
               const std::vector<double>  &wheel,
