@@ -76,6 +76,9 @@ namespace
         error[k] = std::abs(p.stress()[0] / exact - 1);
       }
     check_near(error[1] / error[0], 0.5, 0.02, "the error falls with the step");
+    MaterialPoint perfect = point(hardening(Y, 0, 0, {}, {}));
+    pull(perfect, 0, 0.01, 200, false);
+    check_near(perfect.stress()[0] / Y, 1, 1e-9, "stress without hardening over the yield stress");
 
     MaterialPoint p = point(hardening(Y, Q, b, {C, C2}, {gamma, 0}));
     PointTarget   target;

@@ -201,6 +201,8 @@ namespace
     check(pressed.rfind("Material test: the strain comes to -0.5", 0) == 0 &&
             pressed.find("; a Green strain of -0.5 is a length of zero: ask for less") != std::string::npos,
           pressed);
+    const std::string stretched = fault_of_run("  set Axial = 600\n");
+    check(stretched.find(", where E_xx = ") != std::string::npos, stretched);
     test              = {};
     test.axial.values = {0.01, -0.6};
     check_text(

@@ -51,15 +51,17 @@ namespace wheelrail
       table.add_row(row);
     }
 
-    /// What the target asks of its stresses: "S_xx = 800 MPa".
+    /// What the target asks for: "S_xx = 800 MPa", "E_xx = 0.01".
     std::string
-    stresses_of(const PointTarget &target)
+    asked_by(const PointTarget &target)
     {
       std::string text;
       for (std::size_t k = 0; k < 6; ++k)
-        if (target.of_stress[k] && target.value[k] != 0)
-          text += std::string(text.empty() ? "S_" : ", S_") + component_names[k] + " = " +
-                  format_number(std::round(1e-4 * target.value[k]) / 100) + " MPa";
+        if (target.value[k] != 0)
+          text += (text.empty() ? "" : ", ") + std::string(target.of_stress[k] ? "S_" : "E_") +
+                  component_names[k] + " = " +
+                  (target.of_stress[k] ? format_number(std::round(1e-4 * target.value[k]) / 100) + " MPa"
+                                       : about(target.value[k]));
       return text;
     }
 
@@ -72,16 +74,16 @@ namespace wheelrail
         }
       catch (const RunError &error)
         {
-          const std::string asked = stresses_of(target);
+          const std::string asked = asked_by(target);
           throw RunError(
             error.what() +
-            std::string(asked.empty() ? "" : " (at " + stresses_of(part) + ", on the way to " + asked + ")") +
+            std::string(asked.empty() ? "" : " (at " + asked_by(part) + ", on the way to " + asked + ")") +
             "; ask for less, or for strains");
         }
       for (std::size_t k = 0; k < 3; ++k)
         if (!(point.strain()[k] > -0.5))
           throw RunError("Material test: the strain comes to " + about(point.strain()[k]) + ", where " +
-                         stresses_of(part) + "; a Green strain of -0.5 is a length of zero: ask for less");
+                         asked_by(part) + "; a Green strain of -0.5 is a length of zero: ask for less");
     }
 
     /// Goes from one target to the next in even steps.

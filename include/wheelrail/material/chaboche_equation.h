@@ -198,7 +198,9 @@ namespace wheelrail
     guess.ratio  = own / at_least;
     guess.turned = std::numeric_limits<double>::infinity();
     set_step(at_least, hardened, products.with, change, guess);
-    T low(0.), high = stdx::max(guess.miss, T(0.)) / least_slope;
+    // a line, as without hardening, is solved by the first step, which round-off must not put beyond the
+    // bound
+    T low(0.), high = stdx::max(guess.miss, T(0.)) * ((1 + 1e-9) / least_slope);
     for (int iteration = 0;; ++iteration)
       {
         const auto short_of          = guess.miss > 0.;
@@ -206,11 +208,12 @@ namespace wheelrail
         stdx::where(!short_of, high) = stdx::min(high, guess.dp);
         T next                       = guess.dp + guess.step;
         // with thresholds the equation changes a little from guess to guess, and so would the bounds
-        if (!bounded)
-          stdx::where(next < low || next > high, next) = 0.5 * (low + high);
+        const auto beside           = decltype(open)(!bounded) && (next < low || next > high);
+        stdx::where(beside, next)   = 0.5 * (low + high);
         const T moved               = next - guess.dp;
         stdx::where(open, guess.dp) = stdx::max(next, T(0.));
-        auto left                   = curvature * moved * moved > enough;
+        // what Newton's step leaves; half an interval leaves anything
+        auto left = curvature * moved * moved > enough || beside;
         if (bounded) // the directions that thresholds were watched along lag behind
           left = left || stdx::abs(guess.miss) > enough || guess.turned > enough;
         open = open && left;
