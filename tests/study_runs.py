@@ -197,7 +197,11 @@ def paths():
         check(code == 0 and sorted(os.listdir(".")) == sorted([folder, "study.prm"]),
               f"a study from {start} into {folder}: {text[-300:] if code else os.listdir('.')}")
         rows = table(folder)
-        check(rows[0]["state"] == "finished" and float(rows[0]["peak pressure, half-spaces [MPa]"]) > 500, "has its figures")
+        of_case = json.loads(text_of(os.path.join(folder, rows[0]["folder"] + "-halfspace", "summary.json")))
+        told = [float(rows[0][f"peak pressure, {who} [MPa]"]) for who in ("true bodies", "half-spaces")]
+        check(rows[0]["state"] == "finished" and
+              all(abs(1e6 * value / of_case[key] - 1) < 1e-6 for value, key in zip(told, ("max_pressure_Pa", "halfspace_max_pressure_Pa"))),
+              f"has its figures, each under its name: {told}")
         code, text = study(folder)
         check(code == 0 and "0 to compute" in text, "and is found again")
         os.chdir("..")

@@ -183,9 +183,12 @@ class Study:
 
     def summaries(self, case):
         """The figures of the run, of the half-spaces and of the true bodies, each None where there are none."""
-        run = read_json(self.path(case["name"], "summary.json")) if self.compute != "halfspace" else None
-        if self.compute == "halfspace":
-            return None, read_json(self.path(case["name"] + "-halfspace", "summary.json")), None
-        others = [{key[len(prefix):]: value for key, value in (run or {}).items() if key.startswith(prefix)} or None
-                  for prefix in SOURCES if prefix]
-        return run, *others
+        alone = self.compute == "halfspace"
+        summary = read_json(self.path(case["name"] + ("-halfspace" if alone else ""), "summary.json"))
+        half_spaces, bodies = ({key[len(prefix):]: value for key, value in (summary or {}).items() if key.startswith(prefix)}
+                               or None for prefix in SOURCES if prefix)
+        if not alone:
+            return summary, half_spaces, bodies
+        # true bodies have half-spaces beside them
+        of_bodies = any("halfspace_" in key and value is not None for key, value in (summary or {}).items())
+        return (None, half_spaces, summary) if of_bodies else (None, summary, None)

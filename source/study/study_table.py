@@ -119,8 +119,8 @@ def as_csv(rows):
 
 
 def verdict(pair):
-    """The verdict of a case and why, "" where there are no figures: that of its run, or of its half-spaces."""
-    summary = pair[0] or pair[1] or {}
+    """The verdict of a case and why, "" where there are no figures: that of its run, its true bodies, or its half-spaces."""
+    summary = pair[0] or pair[2] or pair[1] or {}
     return page.verdict_of(summary), summary.get("doubts") or ""
 
 
