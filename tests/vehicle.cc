@@ -9,6 +9,7 @@
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/vehicle/vehicle.h>
 #include <wheelrail/vehicle/vehicle_rows.h>
+#include <wheelrail/vehicle/wheelset_figures.h>
 #include <wheelrail/wheel/halfspace_case.h>
 
 #include <cmath>
@@ -50,6 +51,10 @@ namespace
     test::check_text(said({"halfspace", scene, "--beside", file.path()}),
                      "--beside draws points beside a creep curve: give --creep-curve, too",
                      "points beside nothing");
+    std::ostringstream out;
+    const File         any_order("load [kN],distance [m]\n80,3\n");
+    execute({"vehicle", scene, any_order.path(), "--bodies", "half-spaces", "--no-pictures"}, {}, out);
+    check(out.str().find("row 1, distance 3 m") != std::string::npos, "the place of a row: " + out.str());
     // whole wheelsets
     const std::string both = "Wheelset/Wheels = both";
     test::check_text(said({"halfspace", scene, "--set", both, "--creep-curve", "spin 0,1 1/m"}),
@@ -378,6 +383,7 @@ namespace
     check_near(load(0, 0) / load(1, 1), 1, 1e-9, "in a curve to the right it is the left one");
     check_near(load(0, 2), 160e3, 200, "the outer wheel carries all [N]");
     check_near(load(1, 2), 0, 0, "when the inner one is lifted [N]");
+    test::check_text(vehicle.wheels[1].rows[2].doubts, lifted_by_curve(true), "and is not trusted then");
   }
 } // namespace
 

@@ -118,6 +118,8 @@ namespace
     Scene        scene = test::cones();
     const double base = 0.75, h = scene.centre_height, g = scene.gravity;
     check_near(curve_loads(scene, 80e3, 70e3, base).left, 70e3, 0, "without cant loads are as given");
+    check(std::isnan(curve_loads(scene, 80e3, 70e3, base).acceleration),
+          "and what it leaves over is unknown");
     scene.track_radius = 500;
     scene.velocity     = 20;
     scene.cant         = 2 * base / g * scene.velocity * scene.velocity / scene.track_radius;

@@ -9,7 +9,7 @@ namespace wheelrail
   curve_loads(const Scene &scene, const double right, const double left, const double half_base)
   {
     if (!std::isfinite(scene.cant))
-      return {right, left, 0, 0};
+      return {right, left, std::nan(""), 0};
     const double axle = right + left, g = scene.gravity;
     CurveLoads   loads;
     loads.acceleration =

@@ -6,6 +6,7 @@
 #include <wheelrail/vehicle/vehicle_rows.h>
 #include <wheelrail/vehicle/wheelset_contact.h>
 #include <wheelrail/vehicle/wheelset_figures.h>
+#include <wheelrail/verdict/verdict.h>
 #include <wheelrail/wheel/halfspace_case.h>
 #include <wheelrail/wheel/halfspace_stresses.h>
 #include <wheelrail/wheel/noise_effect.h>
@@ -21,11 +22,17 @@ namespace wheelrail
 {
   namespace
   {
-    /// Without load there are no forces, and no place of a patch.
+    /// Without load there are no forces, and no place of a patch; where the row has a load, the curve lifts
+    /// the wheel.
     Summary
-    no_contact(const WheelsetSettings &scene)
+    no_contact(const Scene &scene)
     {
       Summary summary;
+      if (scene.wheel_load > 0)
+        {
+          summary.verdict = grade_word(Grade::with_care);
+          summary.doubts  = lifted_by_curve(scene.left_wheel);
+        }
       summary.finished           = true;
       summary.normal_force       = 0;
       summary.vertical_force     = 0;

@@ -159,8 +159,8 @@ namespace wheelrail
     void
     print_worst(const FigureTable &table, const std::vector<VehicleWheel> &wheels, std::ostream &out)
     {
-      const auto &abscissa = table.columns[1];
-      const bool  along    = table.keys[1] == "given_distance_m";
+      const auto *const along    = table.find("given_distance_m");
+      const auto       &abscissa = along ? *along : *table.find("given_time_s");
       for (const VehicleWheel &wheel : wheels)
         for (const char *const name : {"max_pressure", "t_gamma", "largest_von_mises"})
           {

@@ -47,6 +47,15 @@ namespace wheelrail
   }
 
 
+  std::string
+  lifted_by_curve(const bool left)
+  {
+    return std::string("The ") + (left ? "left" : "right") +
+           "-hand wheel is lifted: the curve demands more than both wheels hold, and the vehicle begins to "
+           "tip over.";
+  }
+
+
   namespace
   {
     /// A figure and the ends of its interval under a longer name.
@@ -82,9 +91,7 @@ namespace wheelrail
         if (!wheel)
           {
             grade = std::min(grade, Grade::with_care);
-            total.doubts += (total.doubts.empty() ? "" : " ") + ("The " + side) +
-                            "-hand wheel is lifted: the curve demands more than both wheels hold, and the "
-                            "vehicle begins to tip over.";
+            total.doubts += (total.doubts.empty() ? "" : " ") + lifted_by_curve(is_left);
             continue;
           }
         for (const std::string &key :

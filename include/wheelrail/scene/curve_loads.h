@@ -8,8 +8,9 @@ namespace wheelrail
   struct CurveLoads
   {
     double right = 0, left = 0; ///< vertical loads of the wheels [N]; 0: lifted
-    double acceleration = 0;    ///< lateral, that the cant leaves over; positive to the left [m/s2]
-    double lateral      = 0;    ///< force that the rails owe the wheelset, positive to the left [N]
+    double acceleration =
+      0;                ///< lateral, that the cant leaves over; positive to the left; NaN without cant [m/s2]
+    double lateral = 0; ///< force that the rails owe the wheelset, positive to the left [N]
   };
 
   /// Shares the load of an axle [N] between its wheels after radius, cant and velocity of the scene, and the

@@ -22,6 +22,10 @@ namespace wheelrail
   void
   set_wheel_figures(const WheelsetSolution &wheelset, bool left, Summary &summary);
 
+  /// The doubt about a wheelset whose wheel the curve lifts.
+  std::string
+  lifted_by_curve(bool left);
+
   /// The summary of a wheelset: the figures of the axle, and those of each wheel behind "right_" and "left_";
   /// finished and trusted as the worse of both. A null wheel is lifted.
   Summary
