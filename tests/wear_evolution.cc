@@ -312,7 +312,10 @@ namespace
     check(far.rfind("Wear/Mix = mix.csv, row 2: Wheel 'S1002' and rail '54E1'", 0) == 0,
           "a row that does not touch: " + far);
     std::ofstream("mix.csv") << "lateral shift [mm],weight\n0,0\n1,0\n";
-    test::check_text(with({}), "mix.csv: all weights are 0; write how often each row passes", "no weight");
+    test::check_text(with({}),
+                     "mix.csv: no row has both a weight and a load above 0; write how often each row passes, "
+                     "and with which load",
+                     "no weight");
     std::ofstream("mix.csv") << "lateral shift [mm],weight\n0,-1\n";
     test::check_text(
       with({}),

@@ -74,6 +74,11 @@ namespace
                                  "layer"},
       "what half-spaces alone have, in a run");
 
+    check(entries_without_effect(scene_from_text("", "x.prm", {"Wear/Grind to = 54E1", "Wear/Worn = wheel"}),
+                                 "wear") ==
+            std::vector<std::string>{"Wear/Grind to = 54E1: without effect, since Wear/Worn = wheel"},
+          "machines for what does not wear");
+
     MotionFile rows;
     rows.quantities = {MotionQuantity::yaw, MotionQuantity::creepage};
     check(entries_under_rows(

@@ -266,10 +266,18 @@ namespace wheelrail
                 {"Wear/Mix needs a table with a row for each kind of traffic", false, {}, "#", ""});
     require_one_drive(path, rows);
     require_loads(path, rows);
-    if (const auto *const weights = rows.find(Q::weight);
-        weights && std::all_of(weights->begin(), weights->end(), [](const double w) { return w == 0; }))
-      throw InputError(path + ": all weights are 0; write how often each row passes");
-    return rows;
+    // what has no column is that of the scene
+    const auto above_zero = [&](const Q quantity, const std::size_t row) {
+      const auto *const column = rows.find(quantity);
+      return !column || (*column)[row] > 0;
+    };
+    for (std::size_t row = 0; row < rows.rows(); ++row)
+      if (above_zero(Q::weight, row) && above_zero(Q::load, row) &&
+          (above_zero(Q::load_right, row) || above_zero(Q::load_left, row)))
+        return rows;
+    throw InputError(path +
+                     ": no row has both a weight and a load above 0; write how often each row passes, "
+                     "and with which load");
   }
 
 

@@ -76,17 +76,22 @@ namespace wheelrail
                                  rounded_mm(std::round(1e3 * at) / 1e3));
     }
 
-    /// The largest height where the wheel stands at the start [m].
+    /// The largest height of irregularities where the wheel stands at the start, around `across` of the
+    /// section [m].
     double
-    height_at_start(const RunningSurface &surface, const double half_length, const double half_width)
+    height_at_start(const Irregularities &those,
+                    const double          circumference,
+                    const double          across,
+                    const ExpectedPatch  &patch)
     {
       double largest = 0;
       for (int i = -8; i <= 8; ++i)
         for (int j = -8; j <= 8; ++j)
-          {
-            const double s = half_width * j / 8;
-            largest = std::max(largest, std::abs(surface.at(s, half_length * i / 8).n - surface.smooth(s).n));
-          }
+          largest = std::max(
+            largest,
+            std::abs(
+              height_at(those, circumference, across + 0.5 * patch.width * j / 8, 0.6 * patch.length * i / 8)
+                .height));
       return largest;
     }
   } // namespace
@@ -101,8 +106,13 @@ namespace wheelrail
     constexpr double even = 1e-6, sloping = 1e-3; // [m]
     for (const Body body : both_bodies)
       {
-        const RunningSurface &surface = geometry.surfaces[body];
-        for (const Irregularity &one : surface.irregularities())
+        const Irregularities &all  = geometry.surfaces[body].irregularities();
+        const double circumference = body == Body::rail ? 0 : 2 * M_PI * geometry.surfaces.rolling_radius,
+                     across        = body == Body::rail ? geometry.contact.rail_x : geometry.contact.wheel_x;
+        const auto goes_round      = [&](const Irregularity &one) {
+          return body == Body::wheel && one.end - one.begin > 0.999 * circumference;
+        };
+        for (const Irregularity &one : all)
           {
             check_cells(scene, one, found);
             if (one.kinks.empty() && one.shortest < patch.length)
@@ -114,30 +124,34 @@ namespace wheelrail
                                  (body == Body::rail && one.end < -0.5 * patch.length)))
               found.warnings.push_back(told_by(scene, one, "Place") +
                                        ": the wheel does not come there within " + path_text(scene));
-            else if (!one.endless && one.end + 0.5 * patch.length > scene.mesh_distance())
-              found.warnings.push_back(told_by(scene, one, "Place") + ": it ends at " + rounded_mm(one.end) +
+            else if (!one.endless && !goes_round(one) && one.end + 0.5 * patch.length > scene.mesh_distance())
+              found.warnings.push_back(told_by(scene, one, "Place") + ": it ends at " +
+                                       rounded_mm(std::round(1e4 * one.end) / 1e4) +
                                        ", where the patch is still on it after " + path_text(scene) +
                                        "; the largest force may come later");
             if (one.name == "Profiles")
               continue; // where the wheel rolls, or not
-            check_across(scene,
-                         one,
-                         body == Body::rail ? geometry.contact.rail_x : geometry.contact.wheel_x,
-                         patch,
-                         found);
+            check_across(scene, one, across, patch, found);
           }
-        const double start = height_at_start(surface, 0.6 * patch.length, 0.5 * patch.width);
         // where sections change along a rail the wheel starts on a slope, with the velocity that it has there
-        const bool slopes =
-          std::any_of(surface.irregularities().begin(), surface.irregularities().end(), [](const auto &one) {
-            return one.name == "Profiles" && one.endless;
+        const bool   slopes = std::any_of(all.begin(), all.end(), [](const Irregularity &one) {
+          return one.name == "Profiles" && one.endless;
+        });
+        const double start  = height_at_start(all, circumference, across, patch);
+        if (start <= (slopes ? sloping : even))
+          continue;
+        const Irregularity &highest =
+          *std::max_element(all.begin(), all.end(), [&](const Irregularity &a, const Irregularity &b) {
+            return height_at_start({a}, circumference, across, patch) <
+                   height_at_start({b}, circumference, across, patch);
           });
-        if (!surface.irregularities().empty() && start > (slopes ? sloping : even))
-          found.errors.push_back(
-            told_by(scene, surface.irregularities().front(), "Place") + ": the wheel starts on the " +
-            body_name(body) + "'s irregularity (" + in_mm(start, 1e6) +
-            " at the patch); a run starts in steady rolling on the smooth profile: move it at least " +
-            rounded_mm(std::ceil(1e3 * 0.6 * patch.length) / 1e3) + " away from its begin and end");
+        found.errors.push_back(
+          told_by(scene, highest, "Place") + ": the wheel starts on the " + body_name(body) +
+          "'s irregularity (" + in_mm(start, 1e6) +
+          " at the patch); a run starts in steady rolling on the smooth profile: " +
+          (goes_round(highest) ? "put a crest there, or take less height or longer waves"
+                               : "move it at least " + rounded_mm(std::ceil(1e3 * 0.6 * patch.length) / 1e3) +
+                                   " away from its begin and end"));
       }
   }
 } // namespace wheelrail
