@@ -286,9 +286,11 @@ namespace wheelrail
       for (const OneRail &rail : rails)
         for (const Point2 &p : rail.columns[k].points())
           {
-            const double x    = -p.x;
-            const auto   free = above_section(wheel, {x, p.y}, scene.track, heights[k]);
-            if (x < across.front() && free && *free < 0)
+            const double x = -p.x;
+            if (x >= across.front()) // of the tread, which rolls over both
+              continue;
+            const auto free = above_section(wheel, {x, p.y}, scene.track, heights[k]);
+            if (free && *free < 0)
               throw InputError(
                 "at " + in_mm(along[k]) + " along the rails the flange runs into " + rail.entry +
                 "; y of all slices should point to the field side (Profiles/Rail mirror); else "

@@ -10,9 +10,9 @@ namespace wheelrail
   namespace
   {
     [[noreturn]] void
-    refuse_slices(const std::string &entry, const std::string &path)
+    refuse_rail(const ProfileSettings &scene)
     {
-      refuse_left_out(entry + " = " + path, Subject::sections);
+      refuse_left_out("Profiles/Rail = " + scene.rail_profile, Subject::sections);
     }
   } // namespace
 
@@ -27,21 +27,21 @@ namespace wheelrail
   void
   read_sliced_rail(const Scene &scene, SceneProfiles &)
   {
-    refuse_slices("Profiles/Rail", scene.rail_profile);
+    refuse_rail(scene);
   }
 
 
   bool
   is_crossing(const ProfileSettings &scene)
   {
-    refuse_slices("Profiles/Rail", scene.rail_profile);
+    refuse_rail(scene);
   }
 
 
   Irregularities
   rise_of_slices(const Scene &scene, const TouchingProfiles &, double, std::vector<std::string> &)
   {
-    refuse_slices("Profiles/Rail", scene.rail_profile);
+    refuse_rail(scene);
   }
 
 
