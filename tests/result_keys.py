@@ -35,6 +35,7 @@ end
 """
 
 MATERIAL = ["--set", "Material test/Axial = 500 MPa, -500 MPa", "--set", "Material test/Cycles = 2"]
+CURVE = ["--set", "Track/Radius = 500 m", "--set", "Track/Cant = 100 mm"]
 
 
 def program(*words):
@@ -63,7 +64,7 @@ def results():
     program("compare", of_run, "--no-pictures")
     worn = os.path.join(os.path.dirname(os.path.abspath(__file__)), "profiles", "worn_S1002.prw")
     program("halfspace", "keys.prm", "--no-pictures", "--set", f"Profiles/Wheel = {worn}")
-    program("vehicle", "keys.prm", "rows.csv", "--no-pictures", "--both-wheels")
+    program("vehicle", "keys.prm", "rows.csv", "--no-pictures", "--both-wheels", *CURVE)
     program("halfspace", "keys.prm", "--no-pictures", "--set", "Wheelset/Wheels = both", "--set",
             "Output/Folder = both")
     program("report", "both-halfspace")
