@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 namespace wheelrail
@@ -129,17 +128,13 @@ namespace wheelrail
               const std::string &limit,
               std::ostream      &out)
     {
-      char row[240];
-      std::snprintf(row,
-                    sizeof(row),
-                    "  %-40s %-5s %11s %12s %22s  %s\n",
-                    label.c_str(),
-                    unit,
-                    fe.c_str(),
-                    hs.c_str(),
-                    difference.c_str(),
-                    limit.c_str());
-      out << row;
+      out << text("  %-40s %-5s %11s %12s %22s  %s\n",
+                  label.c_str(),
+                  unit,
+                  fe.c_str(),
+                  hs.c_str(),
+                  difference.c_str(),
+                  limit.c_str());
     }
   } // namespace
 

@@ -1,6 +1,7 @@
 #include <wheelrail/application/command_actions.h>
 #include <wheelrail/application/places_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/left_out.h>
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/body_contact.h>
@@ -29,7 +30,6 @@
 #include <wheelrail/wheel/noise_effect.h>
 #include <wheelrail/wheel/several_patches.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -72,24 +72,20 @@ namespace wheelrail
              "pressure      area   T-gamma\n"
              "                   kN            kN        kN      mrad      track, mm      axle, mm           "
              "MPa       mm2         N\n";
-      char line[200];
       for (std::size_t k = 1; k <= n; ++k)
         {
           const auto value = [&](const char *key) { return get_figure(figures, patch_prefix(k) + key); };
-          std::snprintf(line,
-                        sizeof(line),
-                        "%7zu %13.3f %13.3f %9.3f %9.2f %14.2f %13.2f %13.1f %9.2f %9.2f\n",
-                        k,
-                        1e-3 * value("normal_force_N"),
-                        1e-3 * value("longitudinal_force_N"),
-                        1e-3 * value("tangential_lateral_force_N"),
-                        1e3 * value("reference_angle_rad"),
-                        1e3 * value("reference_lateral_m"),
-                        1e3 * value("reference_ahead_of_axle_m"),
-                        1e-6 * value("max_pressure_Pa"),
-                        1e6 * value("contact_area_m2"),
-                        value("t_gamma_N"));
-          out << line;
+          out << text("%7zu %13.3f %13.3f %9.3f %9.2f %14.2f %13.2f %13.1f %9.2f %9.2f\n",
+                      k,
+                      1e-3 * value("normal_force_N"),
+                      1e-3 * value("longitudinal_force_N"),
+                      1e-3 * value("tangential_lateral_force_N"),
+                      1e3 * value("reference_angle_rad"),
+                      1e3 * value("reference_lateral_m"),
+                      1e3 * value("reference_ahead_of_axle_m"),
+                      1e-6 * value("max_pressure_Pa"),
+                      1e6 * value("contact_area_m2"),
+                      value("t_gamma_N"));
         }
     }
 
@@ -115,18 +111,14 @@ namespace wheelrail
       const bool           real    = scene.halfspace_bodies == ContactBodies::real;
       const Summary       &figures = results.figures;
       const HalfspaceGrid &grid    = result.solution.grid;
-      char                 text[256];
-      std::snprintf(text,
-                    sizeof(text),
-                    "%s: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
-                    real ? "Contact of the true bodies" : "Half-space contact",
-                    given ? "normal force" : "wheel load",
-                    1e-3 * (given ? result.solution.fn : figures.vertical_force),
-                    scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
-                    1e3 * grid.dx,
-                    grid.mx,
-                    grid.my);
-      out << text;
+      out << text("%s: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
+                  real ? "Contact of the true bodies" : "Half-space contact",
+                  given ? "normal force" : "wheel load",
+                  1e-3 * (given ? result.solution.fn : figures.vertical_force),
+                  scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
+                  1e3 * grid.dx,
+                  grid.mx,
+                  grid.my);
       if (const std::string note = resolution_note(scene, result.solution); !note.empty())
         out << "note: " << note << '\n';
       for (const std::string &line : halfspace_screen(figures))

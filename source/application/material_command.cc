@@ -1,6 +1,7 @@
 #include <wheelrail/application/material_command.h>
 #include <wheelrail/application/material_drive.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/listing.h>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -26,7 +26,6 @@ namespace wheelrail
     void
     print_cycles(const std::vector<MaterialCycle> &cycles, std::ostream &out)
     {
-      char line[200];
       out << "  cycle         axial strain [1e-3]              stress [MPa]         shear strain [1e-3]      "
              "        stress [MPa]   accumulated\n";
       std::size_t next = 1;
@@ -34,31 +33,25 @@ namespace wheelrail
         if (i == next || i == cycles.size())
           {
             const MaterialCycle &c = cycles[i - 1];
-            std::snprintf(line,
-                          sizeof(line),
-                          "%7zu %12.4f to %11.4f %11.2f to %10.2f %12.4f to %11.4f %11.2f to %10.2f %13.5g\n",
-                          i,
-                          1e3 * c.axial_strain.low,
-                          1e3 * c.axial_strain.high,
-                          1e-6 * c.axial_stress.low,
-                          1e-6 * c.axial_stress.high,
-                          1e3 * c.shear_strain.low,
-                          1e3 * c.shear_strain.high,
-                          1e-6 * c.shear_stress.low,
-                          1e-6 * c.shear_stress.high,
-                          c.accumulated);
-            out << line;
+            out << text("%7zu %12.4f to %11.4f %11.2f to %10.2f %12.4f to %11.4f %11.2f to %10.2f %13.5g\n",
+                        i,
+                        1e3 * c.axial_strain.low,
+                        1e3 * c.axial_strain.high,
+                        1e-6 * c.axial_stress.low,
+                        1e-6 * c.axial_stress.high,
+                        1e3 * c.shear_strain.low,
+                        1e3 * c.shear_strain.high,
+                        1e-6 * c.shear_stress.low,
+                        1e-6 * c.shear_stress.high,
+                        c.accumulated);
             next = i < 5 ? i + 1 : 2 * i;
           }
       if (cycles.size() > 1)
         {
           const MaterialCycle &last = cycles.back(), &before = cycles[cycles.size() - 2];
-          std::snprintf(line,
-                        sizeof(line),
-                        "Ratcheting of the last cycle: axial %.6g, shear %.6g (1e-3)\n",
-                        1e3 * (last.axial_strain.mean() - before.axial_strain.mean()),
-                        1e3 * (last.shear_strain.mean() - before.shear_strain.mean()));
-          out << line;
+          out << text("Ratcheting of the last cycle: axial %.6g, shear %.6g (1e-3)\n",
+                      1e3 * (last.axial_strain.mean() - before.axial_strain.mean()),
+                      1e3 * (last.shear_strain.mean() - before.shear_strain.mean()));
         }
     }
 

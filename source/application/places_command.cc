@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,7 +29,6 @@ namespace wheelrail
     void
     print_table(const IrregularPlaces &places, const std::vector<PlaceContact> &contacts, std::ostream &out)
     {
-      char line[200];
       out << "Wheel at rest " << (places.pitch ? "at pitch angles" : "at places along the track")
           << "; its drop is measured from its height on the smooth rail\n\n";
       out << (places.pitch ? "     pitch" : "     place")
@@ -40,19 +38,16 @@ namespace wheelrail
       for (std::size_t k = 0; k < contacts.size(); ++k)
         {
           const PlaceContact &c = contacts[k];
-          std::snprintf(line,
-                        sizeof line,
-                        "%10.3f %12.1f %11.2f %8d %8.2f %8.2f %10.2f %10.2f %10.1f\n",
-                        places.pitch ? c.pitch * 180 / M_PI : 1e3 * c.place,
-                        1e-6 * c.peak_pressure,
-                        1e6 * c.area,
-                        c.patches,
-                        1e3 * c.width,
-                        1e3 * c.length,
-                        1e3 * c.centre_along,
-                        1e6 * c.drop,
-                        c.slope_force);
-          out << line;
+          out << text("%10.3f %12.1f %11.2f %8d %8.2f %8.2f %10.2f %10.2f %10.1f\n",
+                      places.pitch ? c.pitch * 180 / M_PI : 1e3 * c.place,
+                      1e-6 * c.peak_pressure,
+                      1e6 * c.area,
+                      c.patches,
+                      1e3 * c.width,
+                      1e3 * c.length,
+                      1e3 * c.centre_along,
+                      1e6 * c.drop,
+                      c.slope_force);
         }
     }
 

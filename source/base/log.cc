@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/log.h>
 
 #include <algorithm>
@@ -72,18 +73,14 @@ namespace wheelrail
         line("     mm      force kN    force kN    force kN    error      updates/s     left");
         table_started_ = true;
       }
-    char buffer[160];
-    std::snprintf(buffer,
-                  sizeof(buffer),
-                  "%9.3f  %9.3f   %9.3f   %9.3f   %9.2e   %7.2f M  %s",
-                  1e3 * tick.rolled_distance,
-                  1e-3 * tick.normal_force,
-                  1e-3 * tick.longitudinal_force,
-                  1e-3 * tick.lateral_force,
-                  tick.energy_error,
-                  1e-6 * tick.updates_per_second,
-                  format_duration(tick.seconds_left).c_str());
-    line(buffer);
+    line(text("%9.3f  %9.3f   %9.3f   %9.3f   %9.2e   %7.2f M  %s",
+              1e3 * tick.rolled_distance,
+              1e-3 * tick.normal_force,
+              1e-3 * tick.longitudinal_force,
+              1e-3 * tick.lateral_force,
+              tick.energy_error,
+              1e-6 * tick.updates_per_second,
+              format_duration(tick.seconds_left).c_str()));
   }
 
   void

@@ -364,9 +364,7 @@ namespace wheelrail
   std::string
   about(const double value)
   {
-    char out[32];
-    std::snprintf(out, sizeof(out), "%.1e", value);
-    return format_number(std::strtod(out, nullptr));
+    return format_number(std::strtod(text("%.1e", value).c_str(), nullptr));
   }
 
   std::string

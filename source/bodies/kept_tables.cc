@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/bodies/kept_tables.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/output/replace_file.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -42,9 +42,7 @@ namespace wheelrail
     std::string
     hexadecimal(const Checksum &sum)
     {
-      char text[digits + 1];
-      std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(sum.checksum()));
-      return text;
+      return text("%016llx", static_cast<unsigned long long>(sum.checksum()));
     }
 
     /// All numbers that a table follows from.

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/commands/halfspace_results.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_head.h>
@@ -41,22 +42,17 @@ namespace wheelrail
   void
   print_stresses(const HalfspaceStresses &stresses, std::ostream &out)
   {
-    char text[256];
     if (stresses.subsurface_von_mises > 0)
-      std::snprintf(text,
-                    sizeof(text),
-                    "Largest von Mises stress: %.1f MPa %.2f mm below the surface, in the %s; %.1f MPa at "
-                    "the surface\n",
-                    1e-6 * stresses.subsurface_von_mises,
-                    1e3 * stresses.subsurface_depth,
-                    stresses.subsurface_body == Body::rail ? "rail" : "wheel",
-                    1e-6 * stresses.surface_von_mises);
+      out << text(
+        "Largest von Mises stress: %.1f MPa %.2f mm below the surface, in the %s; %.1f MPa at "
+        "the surface\n",
+        1e-6 * stresses.subsurface_von_mises,
+        1e3 * stresses.subsurface_depth,
+        stresses.subsurface_body == Body::rail ? "rail" : "wheel",
+        1e-6 * stresses.surface_von_mises);
     else
-      std::snprintf(text,
-                    sizeof(text),
-                    "Largest von Mises stress: %.1f MPa at the surface, from which it falls everywhere\n",
-                    1e-6 * stresses.surface_von_mises);
-    out << text;
+      out << text("Largest von Mises stress: %.1f MPa at the surface, from which it falls everywhere\n",
+                  1e-6 * stresses.surface_von_mises);
   }
 
 

@@ -1,8 +1,8 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/contactfiles/contact_input.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace wheelrail
 {
@@ -33,11 +33,7 @@ namespace wheelrail
   {
     std::string text;
     for (const double number : numbers)
-      {
-        char word[32];
-        std::snprintf(word, sizeof(word), " %.*g", digits, number);
-        text += word;
-      }
+      text += wheelrail::text(" %.*g", digits, number);
     return text + (names.empty() ? "" : "   " + names) + "\n";
   }
 

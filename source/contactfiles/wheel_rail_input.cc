@@ -1,11 +1,11 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/contactfiles/contact_input.h>
 #include <wheelrail/contactfiles/wheel_rail_input.h>
 #include <wheelrail/wheel/given_distance.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 namespace wheelrail
@@ -61,12 +61,8 @@ namespace wheelrail
     table(const std::vector<Point2> &points)
     {
       std::string text;
-      char        line[64];
       for (const Point2 &p : points)
-        {
-          std::snprintf(line, sizeof(line), "%.7f %.7f\n", 1e3 * p.x, 1e3 * p.y);
-          text += line;
-        }
+        text += wheelrail::text("%.7f %.7f\n", 1e3 * p.x, 1e3 * p.y);
       return text;
     }
   } // namespace

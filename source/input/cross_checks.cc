@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace wheelrail
 {
@@ -18,9 +18,7 @@ namespace wheelrail
     std::string
     digits(const double value)
     {
-      char out[32];
-      std::snprintf(out, sizeof(out), "%.3g", value);
-      return out;
+      return text("%.3g", value);
     }
 
     /// Steps of the explicit scheme: the step is a little less than the time a pressure wave takes

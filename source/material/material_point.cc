@@ -1,10 +1,10 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/material/material_point.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <type_traits>
 #include <utility>
 
@@ -171,13 +171,10 @@ namespace wheelrail
           continue;
         if (before < 1e4 * enough)
           break; // as near as round-off lets it come
-        char text[200];
-        std::snprintf(text,
-                      sizeof(text),
-                      "no strain gives the stresses that are asked for, %.4g MPa are missing: the steel does "
-                      "not bear more",
-                      1e-6 * before);
-        throw RunError(text);
+        throw RunError(
+          text("no strain gives the stresses that are asked for, %.4g MPa are missing: the steel does "
+               "not bear more",
+               1e-6 * before));
       }
     strain_      = strain;
     stress_      = response.stress;

@@ -40,10 +40,8 @@ namespace wheelrail
   std::string
   load_too_small(const Scene &scene, const double unsprung)
   {
-    char least[32];
-    std::snprintf(least, sizeof least, "%.2f kN", 1e-3 * unsprung);
     return entry_text(scene, "Wheelset", "Wheel load") + ": less than the weight of wheel and half axle, " +
-           least + "; give more, or a lighter Wheelset/Axle mass";
+           text("%.2f kN", 1e-3 * unsprung) + "; give more, or a lighter Wheelset/Axle mass";
   }
 
 

@@ -1,10 +1,10 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/scene_head.h>
 #include <wheelrail/scene/rail_bending.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 namespace wheelrail
@@ -15,9 +15,7 @@ namespace wheelrail
     std::string
     shown(const double value)
     {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.4g", value == 0 ? 0. : value);
-      return text;
+      return text("%.4g", value == 0 ? 0. : value);
     }
 
     /// The name of a profile; of files without the folder.

@@ -78,24 +78,28 @@ namespace wheelrail
   }
 
 
-  void
-  FigureTable::write_csv(const std::string &path) const
+  std::string
+  FigureTable::as_csv() const
   {
     std::string text;
     for (std::size_t k = 0; k < keys.size(); ++k)
       text += (k > 0 ? "," : "") + keys[k];
     text += '\n';
-    char number[32];
     for (std::size_t row = 0; row < rows(); ++row)
       {
         for (std::size_t k = 0; k < keys.size(); ++k)
-          {
-            std::snprintf(number, sizeof(number), "%.9g", columns[k][row]);
-            text += (k > 0 ? "," : "") + std::string(std::isfinite(columns[k][row]) ? number : "");
-          }
+          text += (k > 0 ? "," : "") +
+                  (std::isfinite(columns[k][row]) ? wheelrail::text("%.9g", columns[k][row]) : "");
         text += '\n';
       }
-    replace_file(path, text);
+    return text;
+  }
+
+
+  void
+  FigureTable::write_csv(const std::string &path) const
+  {
+    replace_file(path, as_csv());
   }
 
 

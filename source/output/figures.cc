@@ -1,10 +1,10 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/summary.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace wheelrail
@@ -182,9 +182,7 @@ namespace wheelrail
   {
     if (!std::isfinite(given))
       return "-";
-    char text[64];
-    std::snprintf(text, sizeof(text), "%.*f", decimals, given * factor);
-    return text;
+    return text("%.*f", decimals, given * factor);
   }
 
 

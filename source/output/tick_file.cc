@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/output/descriptions.h>
 #include <wheelrail/output/hdf5_handles.h>
@@ -6,7 +7,6 @@
 #include <wheelrail/output/tick_file.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <vector>
 
@@ -29,9 +29,7 @@ namespace wheelrail
   std::string
   tick_name(const unsigned int tick)
   {
-    char name[32];
-    std::snprintf(name, sizeof(name), "tick_%04u", tick);
-    return name;
+    return text("tick_%04u", tick);
   }
 
   TickFile::TickFile(std::string path, const bool resume, const unsigned int keep_ticks)

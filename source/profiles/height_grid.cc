@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <memory>
@@ -29,9 +28,7 @@ namespace wheelrail
     std::string
     in_millimetres(const double value)
     {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.6g mm", 1e3 * value);
-      return text;
+      return text("%.6g mm", 1e3 * value);
     }
 
     /// Different values, ascending; those closer than 1 nm are one.

@@ -1,5 +1,6 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/progress.h>
 #include <wheelrail/base/quantity.h>
@@ -48,18 +49,13 @@ namespace wheelrail
     void
     print_peaks(const std::vector<Resonance> &peaks, std::ostream &out)
     {
-      char line[120];
       out << "\nResonances, peaks of the mobility:\n   frequency     mobility   loss factor\n"
              "          Hz      m/(N s)\n";
       for (const Resonance &peak : peaks)
         {
-          std::snprintf(line, sizeof(line), "%12.1f %12.3e", peak.frequency, peak.mobility);
-          out << line;
+          out << text("%12.1f %12.3e", peak.frequency, peak.mobility);
           if (std::isfinite(peak.loss))
-            {
-              std::snprintf(line, sizeof(line), "%14.3f", peak.loss);
-              out << line;
-            }
+            out << text("%14.3f", peak.loss);
           out << '\n';
         }
     }
@@ -85,15 +81,13 @@ namespace wheelrail
       summary["waves_mean_difference_dB"]       = sum;
       summary["waves_largest_difference_dB"]    = most;
       summary["waves_largest_difference_at_Hz"] = at;
-      char line[160];
-      std::snprintf(
-        line,
-        sizeof(line),
-        "By waves of the section: mobility differs by %.1f dB in the mean, by %.1f dB at most (%.0f Hz)\n",
-        sum,
-        most,
-        at);
-      out << '\n' << line;
+      out << '\n'
+          << text(
+               "By waves of the section: mobility differs by %.1f dB in the mean, by %.1f dB at most (%.0f "
+               "Hz)\n",
+               sum,
+               most,
+               at);
     }
 
     void
@@ -109,14 +103,11 @@ namespace wheelrail
       out << (options.lateral ? "Lateral" : "Vertical") << " blow on the " << (rail ? "rail" : "wheel");
       if (rail)
         out << " at " << rounded_mm(places.along);
-      char line[120];
-      std::snprintf(line,
-                    sizeof(line),
-                    ", %zu elements, %.0f time steps of %.3f us\n",
-                    body.solid.quality.elements,
-                    options.duration / body.time_step,
-                    1e6 * body.time_step);
-      out << line << std::flush;
+      out << text(", %zu elements, %.0f time steps of %.3f us\n",
+                  body.solid.quality.elements,
+                  options.duration / body.time_step,
+                  1e6 * body.time_step)
+          << std::flush;
     }
 
     /// What a blow gave.
@@ -165,17 +156,11 @@ namespace wheelrail
     print_fading(const Receptances &blow, std::ostream &out)
     {
       if (blow.fading > 0)
-        {
-          char line[200];
-          std::snprintf(
-            line,
-            sizeof(line),
-            "note: %.0f %% of the motion is left at the end of the record; it is faded, which makes "
-            "peaks %.0f Hz broader; --duration takes a longer record\n",
-            100 * blow.left,
-            blow.fading / M_PI);
-          out << line;
-        }
+        out << text(
+          "note: %.0f %% of the motion is left at the end of the record; it is faded, which makes "
+          "peaks %.0f Hz broader; --duration takes a longer record\n",
+          100 * blow.left,
+          blow.fading / M_PI);
     }
 
     int

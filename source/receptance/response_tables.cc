@@ -130,16 +130,6 @@ namespace wheelrail
     add_response(table, "", f, values);
     if (!phase)
       table.columns[2].assign(f.size(), std::nan(""));
-    std::string text;
-    for (std::size_t k = 0; k < table.keys.size(); ++k)
-      text += (k > 0 ? "," : "") + table.keys[k];
-    for (std::size_t row = 0; row < f.size(); ++row)
-      for (std::size_t k = 0; k < table.keys.size(); ++k)
-        {
-          char number[32];
-          std::snprintf(number, sizeof(number), "%.9g", table.columns[k][row]);
-          text += (k > 0 ? "," : "\n") + std::string(std::isfinite(table.columns[k][row]) ? number : "");
-        }
-    return text + "\n";
+    return table.as_csv();
   }
 } // namespace wheelrail

@@ -151,9 +151,7 @@ namespace wheelrail
   std::string
   passage_folder(const std::string &folder, const unsigned int passage)
   {
-    char name[24];
-    std::snprintf(name, sizeof(name), "/passage_%03u", passage);
-    return folder + name;
+    return folder + text("/passage_%03u", passage);
   }
 
 
@@ -273,9 +271,7 @@ namespace wheelrail
   std::string
   in_words(const PassageTrend trend, const RoundGrowth &last)
   {
-    char strain[40], shear[40];
-    std::snprintf(strain, sizeof(strain), "%.2g", last.strain);
-    std::snprintf(shear, sizeof(shear), "%.2g", last.shear);
+    const std::string strain = text("%.2g", last.strain), shear = text("%.2g", last.shear);
     const std::string forward =
       !std::isnan(last.shear)
         ? std::string(", the forward shear of the plastic zone by ") + shear + " in the last round"

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/run_output.h>
@@ -45,10 +46,9 @@ namespace wheelrail
       write_history(parts_.recorder.state().history, parts_.scene.folder + "/history.h5");
       write_history(parts_.recorder.state().patches, parts_.scene.folder + "/patch_history.h5");
     });
-    char number[16];
-    std::snprintf(number, sizeof number, "_%04u", tick);
-    write_mesh(std::string("surface") + number, Selection::surface, stress(), surface_series_.get());
-    write_mesh(std::string("window") + number, Selection::window, stress(), window_series_.get());
+    const std::string number = text("_%04u", tick);
+    write_mesh("surface" + number, Selection::surface, stress(), surface_series_.get());
+    write_mesh("window" + number, Selection::window, stress(), window_series_.get());
   }
 
 

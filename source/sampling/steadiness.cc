@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/sampling/steadiness.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
 namespace wheelrail
 {
@@ -157,9 +157,7 @@ namespace wheelrail
     std::string
     per_cent(const double share)
     {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.2f %%", 100 * share);
-      return text;
+      return text("%.2f %%", 100 * share);
     }
 
     /// Integral of values that are straight between their distances, from the first of them to any place.

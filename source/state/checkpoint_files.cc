@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/output/folder.h>
@@ -11,7 +12,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -30,9 +30,7 @@ namespace wheelrail
       unsigned long long hash = 14695981039346656037ull;
       for (std::size_t k = 0; k < size; ++k)
         hash = (hash ^ static_cast<unsigned char>(bytes[k])) * 1099511628211ull;
-      char text[17];
-      std::snprintf(text, sizeof text, "%016llx", hash);
-      return text;
+      return text("%016llx", hash);
     }
 
     std::string
@@ -155,9 +153,7 @@ namespace wheelrail
     std::string
     mm(const double length)
     {
-      char text[40];
-      std::snprintf(text, sizeof text, "%.3f", 1e3 * length);
-      return text;
+      return text("%.3f", 1e3 * length);
     }
   } // namespace
 

@@ -24,47 +24,29 @@ namespace wheelrail
     void
     print_table(const CreepCurve &curve, const FigureTable &table, std::ostream &out)
     {
-      const bool spin = curve.axis == CreepAxis::spin;
-      char       text[160];
+      const bool spin  = curve.axis == CreepAxis::spin;
       const auto value = [&](const char *key, const std::size_t row) {
         const auto *const column = table.find(key);
         return column ? (*column)[row] : Summary::none;
       };
-      std::snprintf(text,
-                    sizeof(text),
-                    "%12s %14s %14s %14s %12s %10s\n",
-                    spin ? "spin" : "creepage",
-                    "longitudinal",
-                    "lateral",
-                    "normal",
-                    "spin moment",
-                    "stick");
       out << "Forces on the wheel over the " << (spin ? "spin" : creep_axis_name(curve.axis) + " creepage")
           << " (in the contact plane)\n\n"
-          << text;
-      std::snprintf(text,
-                    sizeof(text),
-                    "%12s %14s %14s %14s %12s %10s\n",
-                    spin ? "1/m" : "%",
-                    "kN",
-                    "kN",
-                    "kN",
-                    "N m",
-                    "%");
-      out << text;
+          << text("%12s %14s %14s %14s %12s %10s\n",
+                  spin ? "spin" : "creepage",
+                  "longitudinal",
+                  "lateral",
+                  "normal",
+                  "spin moment",
+                  "stick");
+      out << text("%12s %14s %14s %14s %12s %10s\n", spin ? "1/m" : "%", "kN", "kN", "kN", "N m", "%");
       for (std::size_t row = 0; row < table.rows(); ++row)
-        {
-          std::snprintf(text,
-                        sizeof(text),
-                        "%12.4f %14.4f %14.4f %14.3f %12.3f %10.1f\n",
-                        (spin ? 1 : 100) * curve.values[row],
-                        1e-3 * value("longitudinal_force_N", row),
-                        1e-3 * value("tangential_lateral_force_N", row),
-                        1e-3 * value("normal_force_N", row),
-                        value("reference_spin_moment_Nm", row),
-                        100 * value("stick_fraction", row));
-          out << text;
-        }
+        out << text("%12.4f %14.4f %14.4f %14.3f %12.3f %10.1f\n",
+                    (spin ? 1 : 100) * curve.values[row],
+                    1e-3 * value("longitudinal_force_N", row),
+                    1e-3 * value("tangential_lateral_force_N", row),
+                    1e-3 * value("normal_force_N", row),
+                    value("reference_spin_moment_Nm", row),
+                    100 * value("stick_fraction", row));
     }
 
     void

@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -177,19 +176,15 @@ namespace wheelrail
                 worst = row;
             if (!known(worst))
               continue;
-            char text[200];
-            std::snprintf(text,
-                          sizeof(text),
-                          "  %s wheel, worst row by %-24s %10s %-4s row %zu, %s %.6g %s\n",
-                          wheel.left ? "left" : "right",
-                          figure.label,
-                          figure.shown((*column)[worst]).c_str(),
-                          figure.unit,
-                          worst + 1,
-                          along ? "distance" : "time",
-                          abscissa[worst],
-                          along ? "m" : "s");
-            out << text;
+            out << text("  %s wheel, worst row by %-24s %10s %-4s row %zu, %s %.6g %s\n",
+                        wheel.left ? "left" : "right",
+                        figure.label,
+                        figure.shown((*column)[worst]).c_str(),
+                        figure.unit,
+                        worst + 1,
+                        along ? "distance" : "time",
+                        abscissa[worst],
+                        along ? "m" : "s");
           }
     }
 
@@ -333,15 +328,11 @@ namespace wheelrail
         write_sections_of(wheel_of_wheelset(scene, wheel.left),
                           wheel.left ? profiles.left : profiles.right,
                           (folder / (wheel.left ? "sections_left.json" : "sections_right.json")).string());
-      char text[160];
-      std::snprintf(text,
-                    sizeof(text),
-                    "%zu rows of %s in %.1f s, %.3f s a row and wheel\n",
-                    motion.rows(),
-                    wheels.size() == 1 ? "one wheel" : "both wheels",
-                    seconds,
-                    seconds / (motion.rows() * wheels.size()));
-      out << text;
+      out << text("%zu rows of %s in %.1f s, %.3f s a row and wheel\n",
+                  motion.rows(),
+                  wheels.size() == 1 ? "one wheel" : "both wheels",
+                  seconds,
+                  seconds / (motion.rows() * wheels.size()));
       const std::size_t faults = print_verdicts(wheels, out);
       print_worst(table, wheels, out);
       print_halfspaces(wheels, out);

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/vehicle/vehicle_rows.h>
@@ -35,9 +36,7 @@ namespace wheelrail
     {
       boost::crc_32_type sum;
       sum.process_bytes(text.data(), text.size());
-      char shown[12];
-      std::snprintf(shown, sizeof shown, " %08x", static_cast<unsigned int>(sum.checksum()));
-      return text + shown;
+      return text + wheelrail::text(" %08x", static_cast<unsigned int>(sum.checksum()));
     }
 
     /// A line of the file, or null where it is none or its checksum is another: the last one of a call that

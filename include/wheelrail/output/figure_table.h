@@ -43,7 +43,11 @@ namespace wheelrail
     std::size_t
     rows() const;
 
-    /// Commas between, keys first; empty where there is no value. Throws RunError when it cannot be written.
+    /// Keys first, commas between; empty where there is no value.
+    std::string
+    as_csv() const;
+
+    /// Throws RunError when it cannot be written.
     void
     write_csv(const std::string &path) const;
 
