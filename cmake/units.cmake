@@ -43,40 +43,21 @@ function(find_unit file room result)
   set(${result} ${room}_${number} PARENT_SCOPE)
 endfunction()
 
-# Writes the source of a program of several tests. Headers come first, outside of all namespaces; each test with its
-# main() then has a namespace of its own, and the main() of the program calls the one it is named after.
+# Writes the source of a program of several tests. Headers come first, outside of all namespaces; each test is a suite,
+# of which the main() of the tests runs the one that the program is called by.
 function(write_test_unit unit) # files
   set(headers "")
   set(bodies "")
-  set(calls "")
   foreach(file ${ARGN})
     file(STRINGS ${file} lines REGEX "^#include ")
     list(APPEND headers ${lines})
     get_filename_component(name ${file} NAME_WE)
-    string(APPEND bodies "namespace test_${name}\n{\n#include \"${file}\"\n}\n")
-    file(STRINGS ${file} with_arguments REGEX "^main\\(int ")
-    if(with_arguments)
-      set(arguments "argc, argv")
-    else()
-      set(arguments "")
-    endif()
-    string(APPEND calls "  if (name == \"test_${name}\")\n    return test_${name}::main(${arguments});\n")
+    string(APPEND bodies "BOOST_AUTO_TEST_SUITE(test_${name})\n#include \"${file}\"\nBOOST_AUTO_TEST_SUITE_END()\n")
   endforeach()
   list(REMOVE_DUPLICATES headers)
   list(JOIN headers "\n" headers)
   file(CONFIGURE OUTPUT ${unit} @ONLY CONTENT "// Made by CMake (cmake/units.cmake).
 @headers@
-#include <iostream>
-#include <string>
 
-@bodies@
-int
-main(int argc, char **argv)
-{
-  const std::string path = argc > 0 ? argv[0] : \"\";
-  const std::string name = path.substr(path.rfind('/') + 1);
-@calls@  std::cerr << \"no test is called \" << name << std::endl;
-  return 2;
-}
-")
+@bodies@")
 endfunction()

@@ -4,8 +4,8 @@
 // A block of cubes: exact waves, energy of central differences, equal answers on any number of ranks, and
 // the reader of such scenes.
 
-#include "check.h"
 #include "error_of.h"
+#include "parallel.h"
 #include "scenes/block_motion.h"
 
 #include <wheelrail/base/errors.h>
@@ -36,26 +36,25 @@ namespace
     return worst / largest;
   }
 
-  void
-  waves()
+  BOOST_FIXTURE_TEST_CASE(waves, test::Parallel)
   {
     for (const auto form : {ElementForm::reduced, ElementForm::full})
       {
         const std::string name    = form == ElementForm::full ? "full: " : "reduced: ";
         BlockScene        elastic = block_of_cubes(16, 1e-3, 1e8, 0.9, 0);
-        test::check_near(wave_error(elastic, form), 0, 0.02, name + "face under pressure, elastic wave");
+        BOOST_TEST(
+          test::near(wave_error(elastic, form), 0, 0.02, name + "face under pressure, elastic wave"));
         BlockScene plastic = block_of_cubes(16, 1e-3, 1e9, 0.9, 0);
         plastic.plasticity = {280e6, 21e9, 0};
-        test::check_near(wave_error(plastic, form), 0, 0.03, name + "face under pressure, two waves");
+        BOOST_TEST(test::near(wave_error(plastic, form), 0, 0.03, name + "face under pressure, two waves"));
         const double ratio =
           exact_face(plastic, 1e-6) / (10 * exact_face(elastic, 1e-6)); // the plastic wave pushes more
-        test::check(ratio > 1.1, name + "the plastic face is faster than the elastic one");
+        BOOST_TEST(ratio > 1.1, name + "the plastic face is faster than the elastic one");
       }
   }
 
   /// A free block that shakes at random, cell against cell. The strain energy belongs to the start of a step.
-  void
-  energy_of_shaking()
+  BOOST_FIXTURE_TEST_CASE(energy_of_shaking, test::Parallel)
   {
     BlockScene  scene = block_of_cubes(6, 1e-3, 0, 0.9, 0);
     BlockMotion block(scene, ElementForm::reduced, 0, MPI_COMM_SELF);
@@ -82,13 +81,12 @@ namespace
         squares =
           std::max(squares, std::abs(mean + energy.stored() - energy["kinetic_energy"] - start) / start);
       }
-    test::check_near(worst, 0, 1e-6, "a shaking block keeps its energy");
-    test::check(squares > 0.01, "the mean of the squares would not");
+    BOOST_TEST(test::near(worst, 0, 1e-6, "a shaking block keeps its energy"));
+    BOOST_TEST(squares > 0.01, "the mean of the squares would not");
   }
 
   /// All ranks together move as one does alone.
-  void
-  ranks_agree()
+  BOOST_FIXTURE_TEST_CASE(ranks_agree, test::Parallel)
   {
     BlockScene scene = block_of_cubes(7, 1e-3, 1e9, 0.9, 0);
     scene.plasticity = {280e6, 21e9, 0};
@@ -111,7 +109,7 @@ namespace
           worst              = std::max(worst, std::abs(all.solid.displacement[4 * n + i] - other));
           largest            = std::max(largest, std::abs(other));
         }
-    test::check_near(worst / largest, 0, 1e-10, "ranks move the block as one rank does");
+    BOOST_TEST(test::near(worst / largest, 0, 1e-10, "ranks move the block as one rank does"));
   }
 
   /// Whether reading this mesh is refused with a text that names `what`.
@@ -122,8 +120,7 @@ namespace
     return test::error_of<wheelrail::InputError>([&]() { read_block(path); }).find(what) != std::string::npos;
   }
 
-  void
-  reader()
+  BOOST_FIXTURE_TEST_CASE(reader, test::Parallel)
   {
     int rank;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -137,28 +134,17 @@ namespace
     std::ofstream(path + ".json") << R"({"E": 2e11, "nu": 0.25, "rho": 8000, "sigma_y": 3e8, "E_t": 2e10,
       "material": "plastic", "pressure": 5e8, "dt": 1e-7, "steps": 200.00000000000003})";
     const BlockScene scene = read_block(path);
-    test::check(scene.mesh.cells.size() == 1 && scene.mesh.n_nodes() == 8, "one hexahedron is read");
+    BOOST_TEST((scene.mesh.cells.size() == 1 && scene.mesh.n_nodes() == 8), "one hexahedron is read");
     bool lexicographic = true;
     for (unsigned int a = 0; a < 8; ++a)
       lexicographic = lexicographic && scene.mesh.cells[0][a] == a;
-    test::check(lexicographic, "its corners are in lexicographic order");
-    test::check(scene.steps == 200 && scene.plasticity.yield_stress == 3e8 && scene.material.density == 8000,
-                "its figures are read");
-    test::check(refused(path, mesh.substr(0, 60), "block_scene"), "a mesh that ends early is refused");
-    test::check(refused(path, "$Elements\n", "$Nodes"), "a mesh without nodes is refused");
+    BOOST_TEST(lexicographic, "its corners are in lexicographic order");
+    BOOST_TEST((scene.steps == 200 && scene.plasticity.yield_stress == 3e8 && scene.material.density == 8000),
+               "its figures are read");
+    BOOST_TEST(refused(path, mesh.substr(0, 60), "block_scene"), "a mesh that ends early is refused");
+    BOOST_TEST(refused(path, "$Elements\n", "$Nodes"), "a mesh without nodes is refused");
     std::string other = mesh;
     other.replace(other.find("1 3 2 1 1"), 9, "1 2 2 1 1");
-    test::check(refused(path, other, "kind 2"), "triangles are refused");
+    BOOST_TEST(refused(path, other, "kind 2"), "triangles are refused");
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Program program(argc, argv);
-  waves();
-  energy_of_shaking();
-  ranks_agree();
-  reader();
-  return test::report();
-}

@@ -11,9 +11,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 
 namespace
 {
@@ -33,16 +32,16 @@ namespace
       wheel_of_wheelset(scene, false), wheel_of_wheelset(scene, true), profiles, std::nullopt, 2);
   }
 
-  void
-  test_axle()
+  BOOST_AUTO_TEST_CASE(test_axle)
   {
     const std::string load = "Wheelset/Wheel load = 100 kN", driven = "Wheelset/Traction coefficient = 0.25";
     const WheelsetSolution wheelset =
       solved(both({"Wheelset/Lateral shift = -1 mm", "Wheelset/Yaw = 1 mrad", load, driven}));
     const AxleSolution &axle = wheelset.axle;
-    check(axle.right->solution.converged() && axle.left->solution.converged(), "both wheels are solved");
-    check_near(axle.torque / (200e3 * 0.46), 0.25, 3e-4, "torque of the drive over load and radius");
-    check(-axle.right->solution.fx > 1.2 * -axle.left->solution.fx, "the larger wheel drives more");
+    BOOST_TEST((axle.right->solution.converged() && axle.left->solution.converged()),
+               "both wheels are solved");
+    BOOST_TEST(near(axle.torque / (200e3 * 0.46), 0.25, 3e-4, "torque of the drive over load and radius"));
+    BOOST_TEST(-axle.right->solution.fx > 1.2 * -axle.left->solution.fx, "the larger wheel drives more");
     for (const bool left : {false, true})
       {
         const WheelRailSolution &own   = left ? *axle.left : *axle.right;
@@ -53,23 +52,22 @@ namespace
         const auto of_side             = [&](const std::string &what) {
           return (left ? "left wheel alone: " : "right wheel alone: ") + what;
         };
-        check_relative(own.vertical, 100e3, 2e-4, of_side("load"));
-        check_relative(alone->solution.fx, own.solution.fx, 2e-3, of_side("longitudinal force"));
-        check_relative(alone->lateral, own.lateral, 5e-3, of_side("lateral force"));
-        check_relative(
-          alone->measures.peak_pressure, own.measures.peak_pressure, 1e-3, of_side("peak pressure"));
+        BOOST_TEST(near_relative(own.vertical, 100e3, 2e-4, of_side("load")));
+        BOOST_TEST(near_relative(alone->solution.fx, own.solution.fx, 2e-3, of_side("longitudinal force")));
+        BOOST_TEST(near_relative(alone->lateral, own.lateral, 5e-3, of_side("lateral force")));
+        BOOST_TEST(near_relative(
+          alone->measures.peak_pressure, own.measures.peak_pressure, 1e-3, of_side("peak pressure")));
       }
 
     const WheelsetSolution mirror =
       solved(both({"Wheelset/Lateral shift = 1 mm", "Wheelset/Yaw = -1 mrad", load, driven}));
-    check_relative(
-      mirror.axle.left->solution.fx, axle.right->solution.fx, 1e-3, "mirror: longitudinal force");
-    check_relative(mirror.axle.right->lateral, axle.left->lateral, 1e-3, "mirror: lateral force");
+    BOOST_TEST(near_relative(
+      mirror.axle.left->solution.fx, axle.right->solution.fx, 1e-3, "mirror: longitudinal force"));
+    BOOST_TEST(near_relative(mirror.axle.right->lateral, axle.left->lateral, 1e-3, "mirror: lateral force"));
   }
 
   /// The pose is found with half-spaces and mended with the bodies.
-  void
-  test_curve()
+  BOOST_AUTO_TEST_CASE(test_curve)
   {
     const WheelsetSolution wheelset = solved(both({"Wheelset/Pose = equilibrium",
                                                    "Wheelset/Wheel load = 100 kN",
@@ -78,20 +76,12 @@ namespace
                                                    "Track/Radius = 1000 m"}));
     const double           load     = wheelset.right.load + wheelset.left.load,
                  base               = half_base(wheelset.right.geometry, wheelset.left.geometry);
-    check(wheelset.axle.right->solution.converged(), "curve: the pose is found");
-    check_near(wheelset.lateral_missed / load, 0, 1e-4, "curve: lateral forces balance");
-    check_near(wheelset.yaw_missed / (load * base), 0, 1e-4, "curve: yaw moments balance");
-    check_near(1e3 * wheelset.right.scene.lateral_shift, -1.86, 0.1, "curve: lateral shift, mm");
-    check(wheelset.right.scene.halfspace_bodies == ContactBodies::real, "curve: with the true bodies");
+    BOOST_TEST(wheelset.axle.right->solution.converged(), "curve: the pose is found");
+    BOOST_TEST(near(wheelset.lateral_missed / load, 0, 1e-4, "curve: lateral forces balance"));
+    BOOST_TEST(near(wheelset.yaw_missed / (load * base), 0, 1e-4, "curve: yaw moments balance"));
+    BOOST_TEST(near(1e3 * wheelset.right.scene.lateral_shift, -1.86, 0.1, "curve: lateral shift, mm"));
+    BOOST_TEST((wheelset.right.scene.halfspace_bodies == ContactBodies::real), "curve: with the true bodies");
     for (const auto *wheel : {&wheelset.axle.right, &wheelset.axle.left})
-      check(std::abs((*wheel)->reference->creepage) < 0.3e-3, "curve: it rolls nearly without creepage");
+      BOOST_TEST(std::abs((*wheel)->reference->creepage) < 0.3e-3, "curve: it rolls nearly without creepage");
   }
 } // namespace
-
-int
-main()
-{
-  test_axle();
-  test_curve();
-  return test::report();
-}

@@ -21,10 +21,9 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
-using test::check_text;
+using test::near;
+using test::near_relative;
+using test::same_text;
 
 namespace
 {
@@ -69,25 +68,28 @@ namespace
     const std::string element = "Half-space/Element size = 0.5 mm";
     const Case        free({element, "Wheelset/Traction coefficient = 0"});
     const auto        rolled = free.solve();
-    check(rolled.solution.converged(), "free rolling: converged, " + rolled.solution.not_reached);
-    check_relative(rolled.vertical, scene_load(free.scene, free.geometry).force, 2e-4, "it carries the load");
-    check_near(rolled.solution.fx / rolled.vertical, 0, 1e-5, "and no longitudinal force");
-    check_relative(rolled.measures.peak_pressure, 1236.5e6, 3e-3, "peak pressure");
-    check_relative(rolled.solution.xi, 0.4917e-3, 0.015, "creepage");
+    BOOST_TEST(rolled.solution.converged(), "free rolling: converged, " + rolled.solution.not_reached);
+    BOOST_TEST(near_relative(
+      rolled.vertical, scene_load(free.scene, free.geometry).force, 2e-4, "it carries the load"));
+    BOOST_TEST(near(rolled.solution.fx / rolled.vertical, 0, 1e-5, "and no longitudinal force"));
+    BOOST_TEST(near_relative(rolled.measures.peak_pressure, 1236.5e6, 3e-3, "peak pressure"));
+    BOOST_TEST(near_relative(rolled.solution.xi, 0.4917e-3, 0.015, "creepage"));
 
     const Case root({element, "Wheelset/Lateral shift = -5.5 mm", "Wheelset/Traction coefficient = 0.25"});
     const auto two = root.solve();
-    check(two.solution.converged(), "flange root: converged, " + two.solution.not_reached);
-    check_near(1e-6 * second_peak(two.solution), 350, 50, "a second peak, 7 mm and more from the first, MPa");
-    check_relative(two.vertical, scene_load(root.scene, root.geometry).force, 2e-4, "they carry the load");
-    check_relative(-two.solution.fx, 0.25 * two.vertical, 2e-4, "and the traction");
-    check_relative(two.measures.peak_pressure_fitted, 3364e6, 0.01, "peak pressure");
-    check_relative(two.solution.xi, 3.27e-3, 0.035, "creepage");
+    BOOST_TEST(two.solution.converged(), "flange root: converged, " + two.solution.not_reached);
+    BOOST_TEST(
+      near(1e-6 * second_peak(two.solution), 350, 50, "a second peak, 7 mm and more from the first, MPa"));
+    BOOST_TEST(
+      near_relative(two.vertical, scene_load(root.scene, root.geometry).force, 2e-4, "they carry the load"));
+    BOOST_TEST(near_relative(-two.solution.fx, 0.25 * two.vertical, 2e-4, "and the traction"));
+    BOOST_TEST(near_relative(two.measures.peak_pressure_fitted, 3364e6, 0.01, "peak pressure"));
+    BOOST_TEST(near_relative(two.solution.xi, 3.27e-3, 0.035, "creepage"));
     const ContactPose pose = body_pose(root.scene, root.geometry, two);
-    check_relative(1e3 * pose.rail_head.lateral, 0.218, 0.04, "rail head moved");
-    check_relative(1e3 * pose.rail_head.roll, -3.11, 0.04, "rail head turned");
-    check_relative(1e3 * pose.wheel_rim.lateral, 0.268, 0.03, "wheel rim moved");
-    check_relative(1e3 * pose.wheel_rim.roll, 0.97, 0.03, "wheel rim turned");
+    BOOST_TEST(near_relative(1e3 * pose.rail_head.lateral, 0.218, 0.04, "rail head moved"));
+    BOOST_TEST(near_relative(1e3 * pose.rail_head.roll, -3.11, 0.04, "rail head turned"));
+    BOOST_TEST(near_relative(1e3 * pose.wheel_rim.lateral, 0.268, 0.03, "wheel rim moved"));
+    BOOST_TEST(near_relative(1e3 * pose.wheel_rim.roll, 0.97, 0.03, "wheel rim turned"));
   }
 
   /// The outer wheel of a curve of 300 m slides on its flange, where pressure and tractions creep on as long
@@ -102,8 +104,8 @@ namespace
                        "Wheelset/Velocity = 60 km/h",
                        "Wheelset/Traction coefficient = 0"});
     const auto slides = flange.solve();
-    check(slides.solution.converged(), "flange in a curve: converged, " + slides.solution.not_reached);
-    check_relative(slides.vertical, 84.732e3, 2e-4, "it carries the load");
+    BOOST_TEST(slides.solution.converged(), "flange in a curve: converged, " + slides.solution.not_reached);
+    BOOST_TEST(near_relative(slides.vertical, 84.732e3, 2e-4, "it carries the load"));
   }
 
   /// A run of 1 mm cells on blocks of 8 mm, 38.7 mm rolled, has a lateral force of 1.068 kN, which comes to
@@ -117,11 +119,11 @@ namespace
                                "Wheelset/Lateral creepage = -0.0152e-3"});
     const auto        rolled = driving.solve();
     const ContactPose pose   = body_pose(driving.scene, driving.geometry, rolled);
-    check_relative(1e-3 * rolled.lateral, 1.068, 0.03, "the lateral force of the run");
-    check_relative(1e3 * pose.rail_head.roll, -0.8945, 0.05, "rail head turned");
-    check_near(1e3 * pose.rail_head.lateral, 0.0697, 0.004, "rail head moved, mm");
-    check_near(1e3 * pose.wheel_rim.lateral, 0.0167, 0.002, "wheel rim moved, mm");
-    check_near(1e3 * pose.wheel_rim.roll, 0.0169, 0.01, "wheel rim turned, mrad");
+    BOOST_TEST(near_relative(1e-3 * rolled.lateral, 1.068, 0.03, "the lateral force of the run"));
+    BOOST_TEST(near_relative(1e3 * pose.rail_head.roll, -0.8945, 0.05, "rail head turned"));
+    BOOST_TEST(near(1e3 * pose.rail_head.lateral, 0.0697, 0.004, "rail head moved, mm"));
+    BOOST_TEST(near(1e3 * pose.wheel_rim.lateral, 0.0167, 0.002, "wheel rim moved, mm"));
+    BOOST_TEST(near(1e3 * pose.wheel_rim.roll, 0.0169, 0.01, "wheel rim turned, mrad"));
   }
 
   /// A table is made once; one that is damaged, or none, is made again.
@@ -139,18 +141,18 @@ namespace
       return found;
     };
     const auto kept = files();
-    check(kept.size() == 2, "a table of the rail and one of the wheel are kept");
+    BOOST_TEST(kept.size() == 2, "a table of the rail and one of the wheel are kept");
     const Case again({}, coarse);
-    check(again.tables.wheel.remainder == first.tables.wheel.remainder &&
-            again.tables.rail.remainder == first.tables.rail.remainder,
-          "read again they are the same");
+    BOOST_TEST((again.tables.wheel.remainder == first.tables.wheel.remainder &&
+                again.tables.rail.remainder == first.tables.rail.remainder),
+               "read again they are the same");
     namespace fs        = std::filesystem;
     const auto size     = static_cast<std::streamoff>(fs::file_size(kept.front()));
     const auto is_again = [&](const std::string &what) {
       const Case mended({}, coarse);
-      check(mended.tables.wheel.remainder == first.tables.wheel.remainder &&
-              mended.tables.rail.remainder == first.tables.rail.remainder && files().size() == 2,
-            what + ": made again");
+      BOOST_TEST((mended.tables.wheel.remainder == first.tables.wheel.remainder &&
+                  mended.tables.rail.remainder == first.tables.rail.remainder && files().size() == 2),
+                 what + ": made again");
     };
     const auto write_at = [&](const std::streamoff place, const std::string &bytes) {
       std::fstream file(kept.front(), std::ios::in | std::ios::out | std::ios::binary);
@@ -169,16 +171,16 @@ namespace
     fs::copy_file(kept.back(), kept.front(), fs::copy_options::overwrite_existing);
     is_again("the table of another body");
     fs::remove(kept.front());
-    check(::mkfifo(kept.front().c_str(), 0600) == 0, "a pipe of its name");
+    BOOST_TEST(::mkfifo(kept.front().c_str(), 0600) == 0, "a pipe of its name");
     is_again("a pipe");
-    check(fs::is_regular_file(kept.front()), "which the table replaces");
+    BOOST_TEST(fs::is_regular_file(kept.front()), "which the table replaces");
     fs::rename(kept.front(), "table");
     fs::create_directory(kept.front());
     is_again("a folder of its name");
     fs::remove(kept.front());
     fs::rename("table", kept.front());
     const Case softer({"Rail material/Young's modulus = 200 GPa"}, coarse);
-    check(files().size() == 3, "other constants have another table");
+    BOOST_TEST(files().size() == 3, "other constants have another table");
 
     // older ones than those in use
     const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
@@ -196,12 +198,12 @@ namespace
     for (const std::string &name : foreign)
       make_old(name, 0);
     const Case stiffer({"Rail material/Young's modulus = 220 GPa"}, coarse);
-    check(files().size() == most_kept_tables + foreign.size(), "no more tables are kept than so many");
-    check(!fs::exists("tables/" + own_name(0)) && !fs::exists("tables/" + own_name(3)) &&
-            fs::exists("tables/" + own_name(4)) && fs::exists(kept.front()) && fs::exists(kept.back()),
-          "those that were not used for the longest time go");
+    BOOST_TEST((files().size() == most_kept_tables + foreign.size()), "no more tables are kept than so many");
+    BOOST_TEST((!fs::exists("tables/" + own_name(0)) && !fs::exists("tables/" + own_name(3)) &&
+                fs::exists("tables/" + own_name(4)) && fs::exists(kept.front()) && fs::exists(kept.back())),
+               "those that were not used for the longest time go");
     for (const std::string &name : foreign)
-      check(fs::remove("tables/" + name), name + " is the user's and stays");
+      BOOST_TEST(fs::remove("tables/" + name), name + " is the user's and stays");
     for (unsigned int k = 0; k < most_kept_tables; ++k)
       fs::remove("tables/" + own_name(k));
   }
@@ -229,9 +231,9 @@ namespace
     for (std::thread &thread : threads)
       thread.join();
     for (const int times : read)
-      check(times == n_times,
-            "tables read by several threads at once, " + std::to_string(times) + " of " +
-              std::to_string(n_times));
+      BOOST_TEST((times == n_times),
+                 "tables read by several threads at once, " + std::to_string(times) + " of " +
+                   std::to_string(n_times));
   }
 
   void
@@ -244,31 +246,32 @@ namespace
     builder.patch("block", bottom, top, {corner[0], corner[2]}, {corner[1], corner[3]});
     builder.mark(top, Boundary::running);
     const SectionMesh loose = mesh_section(builder.section(), Boundary::foot, 0);
-    check_text(
+    BOOST_TEST(same_text(
       test::message_of([&] { WaveStiffness(loose, {}, false).compliance(0, surface_rows(loose, 1, false)); }),
       "The section of the rail moves without strain at the wavenumber 0.000000: nothing holds it. Its "
       "elasticity cannot be computed.",
-      "a body that nothing holds");
+      "a body that nothing holds"));
     SectionMesh folded = loose;
     std::swap(folded.nodes[folded.cells[0][0]], folded.nodes[folded.cells[0][2]]);
     std::swap(folded.nodes[folded.cells[0][6]], folded.nodes[folded.cells[0][8]]);
     const std::string found = test::message_of([&] { WaveStiffness(folded, {}, false); });
-    check(found.rfind("A cell of the section at ", 0) == 0 &&
-            found.find(" is folded, so that its elasticity cannot be computed.") != std::string::npos,
-          "a folded cell: " + found);
+    BOOST_TEST((found.rfind("A cell of the section at ", 0) == 0 &&
+                found.find(" is folded, so that its elasticity cannot be computed.") != std::string::npos),
+               "a folded cell: " + found);
     builder.mark(bottom, Boundary::running);
-    check_text(
+    BOOST_TEST(same_text(
       test::message_of([&] { mesh_section(builder.section(), Boundary::foot, 0); }),
       "The running surface of a section is not one line of cells, so that its elasticity cannot be computed.",
-      "two running surfaces");
+      "two running surfaces"));
     BodyTable table;
     for (int r = 0; r < 3; ++r)
       table.rows.push_back({1e-3 * r, 0, 1e-3, 0, {}});
     BodyPlacement placement;
     placement.arcs = {0.1, 0.101};
-    check_text(test::message_of([&] { contact_rows(table, placement); }),
-               "The contact lies beside the running surface of the rail that has a table of its elasticity.",
-               "a contact beside the table");
+    BOOST_TEST(
+      same_text(test::message_of([&] { contact_rows(table, placement); }),
+                "The contact lies beside the running surface of the rail that has a table of its elasticity.",
+                "a contact beside the table"));
     const auto refused = [](const std::string &set) {
       const SceneInput input = scene_from_text("", "x.prm", {"Half-space/Bodies = real", set});
       return test::message_of([&] { require_none(contact_checks(input.scene).errors, input); });
@@ -276,22 +279,22 @@ namespace
     const std::string other =
       "; Half-space/Bodies = real does not take it: write half-spaces there, or leave this "
       "entry out";
-    check_text(
+    BOOST_TEST(same_text(
       refused("Half-space/Lateral offset = 1 mm"),
       "--set: Half-space/Lateral offset = 1 mm: a position given by hand, where the bodies find their own" +
         other,
-      "an offset with true bodies");
-    check_text(refused("Half-space/Undeformed distance = hertz"),
-               "--set: Half-space/Undeformed distance = hertz: a distance without bodies" + other,
-               "a given distance with true bodies");
-    check_text(refused("Half-space/Spin = contact"),
-               "--set: Half-space/Spin = contact: one spin for the whole contact" + other,
-               "one spin with true bodies");
+      "an offset with true bodies"));
+    BOOST_TEST(same_text(refused("Half-space/Undeformed distance = hertz"),
+                         "--set: Half-space/Undeformed distance = hertz: a distance without bodies" + other,
+                         "a given distance with true bodies"));
+    BOOST_TEST(same_text(refused("Half-space/Spin = contact"),
+                         "--set: Half-space/Spin = contact: one spin for the whole contact" + other,
+                         "one spin with true bodies"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(bodies_contact)
 {
   std::filesystem::remove_all("tables");
   test_messages();
@@ -300,5 +303,4 @@ main()
   test_scenes();
   test_curve();
   test_pose_of_run();
-  return test::report();
 }

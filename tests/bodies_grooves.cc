@@ -4,7 +4,7 @@
 // surface, and with influences that are corrected for the turn of the normal. True bodies are those of a
 // groove and a ridge.
 
-#include "check.h"
+#include "near.h"
 #include "reference_table.h"
 
 #include <wheelrail/base/format_text.h>
@@ -18,8 +18,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_relative;
+using test::near_relative;
 
 namespace
 {
@@ -122,8 +121,8 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(bodies_grooves)
 {
   const Scene scene =
     scene_from_text(
@@ -148,7 +147,7 @@ main()
         make_body_table(groove_section(groove), geometry.rail.head, steel, false, 0, 1),
         make_body_table(ridge_section(), geometry.wheel.tread, steel, true, rolling, 1)};
       const WheelRailSolution found = solve_bodies(scene, geometry, load, tables);
-      check(found.solution.converged(), "it converges" + of + found.solution.not_reached);
+      BOOST_TEST(found.solution.converged(), "it converges" + of + found.solution.not_reached);
       double off_conformal = 1, off_halfspace = 0;
       for (const auto &row : table)
         if (std::stod(row[1]) == radius)
@@ -157,13 +156,12 @@ main()
             (conformal ? off_conformal : off_halfspace) =
               1e-6 * found.solution.peak_pressure / std::stod(row[2]) - 1;
             if (conformal)
-              check_relative(1e6 * found.measures.area, std::stod(row[3]), 0.015, "area" + of);
+              BOOST_TEST(near_relative(1e6 * found.measures.area, std::stod(row[3]), 0.015, "area" + of));
           }
-      check(std::abs(off_conformal) < 0.015,
-            "peak pressure over that of corrected influences" + of + ": 1 + " +
-              std::to_string(off_conformal));
-      check(std::abs(off_conformal) < 0.5 * std::abs(off_halfspace),
-            "they are nearer than a half-space's" + of + ": 1 + " + std::to_string(off_halfspace));
+      BOOST_TEST(std::abs(off_conformal) < 0.015,
+                 "peak pressure over that of corrected influences" + of + ": 1 + " +
+                   std::to_string(off_conformal));
+      BOOST_TEST(std::abs(off_conformal) < 0.5 * std::abs(off_halfspace),
+                 "they are nearer than a half-space's" + of + ": 1 + " + std::to_string(off_halfspace));
     }
-  return test::report();
 }

@@ -3,7 +3,7 @@
 // Elastic bodies by 2.5-D elements: a large block against the half-space of Boussinesq and Cerruti, a layer
 // on a rigid base in closed form, a wheel of very large radius against a prismatic body, a turning ring.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/bodies/line_loads.h>
 #include <wheelrail/bodies/wave_stiffness.h>
@@ -15,9 +15,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 
 namespace
 {
@@ -94,15 +93,14 @@ namespace
             for (int b = 0; b < 3; ++b)
               worst = std::max(worst, std::abs(entry(C, rows.size(), i, a, 5, b) - H[3 * a + b]));
         }
-    check(worst < limit * self,
-          "block, " + std::to_string(cells) + " cells a row, k = " + std::to_string(k) +
-            ": largest difference over self influence " + std::to_string(worst / self));
+    BOOST_TEST(worst < limit * self,
+               "block, " + std::to_string(cells) + " cells a row, k = " + std::to_string(k) +
+                 ": largest difference over self influence " + std::to_string(worst / self));
   }
 
   /// Cells that grow below the surface, as those of tables, with one and two of them a row; even cells, four
   /// a row, on a block that is large for short waves alone.
-  void
-  test_block()
+  BOOST_AUTO_TEST_CASE(test_block)
   {
     const auto block =
       [](const double width, const double depth, const double cell, const unsigned int levels) {
@@ -122,8 +120,7 @@ namespace
   ///   u(x) = 2 (1 - nu^2)/(pi E) int L(q b)/q p(q) cos(q x) dq,
   ///   L(t) = (2 kappa sinh 2t - 4t)/(2 kappa cosh 2t + 4 t^2 + 1 + kappa^2), kappa = 3 - 4 nu
   /// (Airy's function with both displacements zero at the depth b; Meijers 1968), in the mean over each row.
-  void
-  test_layer()
+  BOOST_AUTO_TEST_CASE(test_layer)
   {
     constexpr double  width = 0.3, depth = 0.0125, a = 0.0125;
     const SectionMesh mesh =
@@ -169,16 +166,15 @@ namespace
             worst                 = std::max(worst, std::abs(u - expected));
             largest               = std::max(largest, expected);
           }
-        check(worst < 5e-3 * largest,
-              std::string("layer on a rigid base under ") + (hertz ? "Hertz's" : "even") +
-                " pressure: largest difference over the largest displacement " +
-                std::to_string(worst / largest));
+        BOOST_TEST(worst < 5e-3 * largest,
+                   std::string("layer on a rigid base under ") + (hertz ? "Hertz's" : "even") +
+                     " pressure: largest difference over the largest displacement " +
+                     std::to_string(worst / largest));
       }
   }
 
   /// A wheel of 10 km radius is a prismatic body: k = n / r.
-  void
-  test_large_wheel()
+  BOOST_AUTO_TEST_CASE(test_large_wheel)
   {
     const double  radius = 1e4, k = 40;
     const Section flat           = rectangle(0.2, 0.1, 0.02, 0, Boundary::foot),
@@ -192,13 +188,12 @@ namespace
     const double largest = *std::max_element(C.begin(), C.end());
     for (std::size_t e = 0; e < C.size(); ++e)
       worst = std::max(worst, std::abs(C[e] - W[e]));
-    check(worst < 1e-4 * largest, "a very large wheel is prismatic: " + std::to_string(worst / largest));
+    BOOST_TEST(worst < 1e-4 * largest, "a very large wheel is prismatic: " + std::to_string(worst / largest));
   }
 
   /// A thin disc that turns, clamped at its bore: plane stress in closed form (Timoshenko and Goodier 1970,
   /// article 32).
-  void
-  test_growth()
+  BOOST_AUTO_TEST_CASE(test_growth)
   {
     const double inner = 0.1, outer = 0.46, width = 0.004, rate = 100;
     // u = A r + B / r - (1 - nu^2) rho w^2 r^3 / (8 E), u(inner) = 0, sigma_r(outer) = 0
@@ -229,17 +224,7 @@ namespace
     const SectionMesh mesh = mesh_section(builder.section(), Boundary::bore, 0);
     WaveStiffness     ring(mesh, steel, true);
     const auto        growth = ring.growth(rate, steel.density, surface_rows(mesh, 1, true));
-    check_relative(growth.front().y, exact, 2e-3, "growth of a turning disc, plane stress");
-    check_near(growth.front().x, 0, 1e-8 * exact, "it grows straight outwards");
+    BOOST_TEST(near_relative(growth.front().y, exact, 2e-3, "growth of a turning disc, plane stress"));
+    BOOST_TEST(near(growth.front().x, 0, 1e-8 * exact, "it grows straight outwards"));
   }
 } // namespace
-
-int
-main()
-{
-  test_block();
-  test_layer();
-  test_large_wheel();
-  test_growth();
-  return test::report();
-}

@@ -41,18 +41,16 @@ namespace
     const double fine = of_start(sets);
     std::cout << "        " << what << ": " << 1e4 * bodies << "e-4 by true bodies, " << 1e4 * coarse
               << " and " << 1e4 * fine << "e-4 by static starts on blocks of 16 and 8 mm" << std::endl;
-    check(coarse < bodies && bodies < fine, what + ": the stretch of true bodies lies between");
-    check_relative(0.5 * (coarse + fine), bodies, 0.03, what + ": in the middle");
+    BOOST_TEST((coarse < bodies && bodies < fine), what + ": the stretch of true bodies lies between");
+    BOOST_TEST(near_relative(0.5 * (coarse + fine), bodies, 0.03, what + ": in the middle"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(bodies_stretch, test::Parallel)
 {
-  Parallel          parallel(argc, argv);
   const std::string element = "Half-space/Element size = 0.5 mm", free = "Wheelset/Traction coefficient = 0";
   stretched("free rolling at 140 km/h, 1 mm cells", {element, free});
   stretched("at 5 km/h, without growth", {element, free, "Wheelset/Velocity = 5 km/h"});
   stretched("S1002 on 60E1, driving", {element, "Profiles/Rail = 60E1"});
-  return parallel.report();
 }

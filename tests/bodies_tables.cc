@@ -1,7 +1,7 @@
 // label: long
 // Coarse tables of the true bodies against fine ones, and against elements of half the size.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/parameters.h>
@@ -9,10 +9,10 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check_relative;
+using test::near_relative;
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(bodies_tables)
 {
   for (const std::string shift : {"0 mm", "-5.5 mm"})
     {
@@ -31,12 +31,11 @@ main()
                                 solve_bodies(scene, geometry, load, make_body_tables(scene, geometry, "")),
                               exact = solve_bodies(
                                 scene, geometry, load, make_body_tables(scene, geometry, "", fine));
-      check_relative(coarse.measures.peak_pressure_fitted,
-                     exact.measures.peak_pressure_fitted,
-                     2e-3,
-                     "peak pressure, rows of one cell of 2 mm over two of 1 mm, shift " + shift);
-      check_relative(coarse.solution.xi, exact.solution.xi, 1e-2, "creepage, shift " + shift);
-      check_relative(coarse.measures.area, exact.measures.area, 1e-2, "area, shift " + shift);
+      BOOST_TEST(near_relative(coarse.measures.peak_pressure_fitted,
+                               exact.measures.peak_pressure_fitted,
+                               2e-3,
+                               "peak pressure, rows of one cell of 2 mm over two of 1 mm, shift " + shift));
+      BOOST_TEST(near_relative(coarse.solution.xi, exact.solution.xi, 1e-2, "creepage, shift " + shift));
+      BOOST_TEST(near_relative(coarse.measures.area, exact.measures.area, 1e-2, "area, shift " + shift));
     }
-  return test::report();
 }

@@ -5,7 +5,7 @@
 
 #include <wheelrail/material/material_point.h>
 
-#include "check.h"
+#include "near.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -70,15 +69,15 @@ namespace
         const double ep = 0.02 - p.stress()[0] / E;
         const double exact =
           Y + Q * (1 - std::exp(-b * ep)) + C / gamma * (1 - std::exp(-gamma * ep)) + C2 * ep;
-        check_near(p.plastic_strain()[0], ep, 1e-9, "plastic strain in tension");
-        check_near(p.accumulated(), ep, 1e-9, "and accumulated");
-        check_near(p.stress()[0] / exact, 1, 2e-3, "stress of the tension test over the closed form");
+        BOOST_TEST(near(p.plastic_strain()[0], ep, 1e-9, "plastic strain in tension"));
+        BOOST_TEST(near(p.accumulated(), ep, 1e-9, "and accumulated"));
+        BOOST_TEST(near(p.stress()[0] / exact, 1, 2e-3, "stress of the tension test over the closed form"));
         error[k] = std::abs(p.stress()[0] / exact - 1);
       }
-    check_near(error[1] / error[0], 0.5, 0.02, "the error falls with the step");
+    BOOST_TEST(near(error[1] / error[0], 0.5, 0.02, "the error falls with the step"));
     MaterialPoint perfect = point(hardening(Y, 0, 0, {}, {}));
     pull(perfect, 0, 0.01, 200, false);
-    check_near(perfect.stress()[0] / Y, 1, 1e-9, "stress without hardening over the yield stress");
+    BOOST_TEST(near(perfect.stress()[0] / Y, 1, 1e-9, "stress without hardening over the yield stress"));
 
     MaterialPoint p = point(hardening(Y, Q, b, {C, C2}, {gamma, 0}));
     PointTarget   target;
@@ -91,8 +90,8 @@ namespace
     const double slip = 2 * (0.015 - p.stress()[5] * (1 + nu) / E), ep = slip / std::sqrt(3.);
     const double exact =
       (Y + Q * (1 - std::exp(-b * ep)) + C / gamma * (1 - std::exp(-gamma * ep)) + C2 * ep) / std::sqrt(3.);
-    check_near(p.accumulated() / ep, 1, 1e-9, "accumulated strain in shear");
-    check_near(p.stress()[5] / exact, 1, 1e-3, "stress in shear over the closed form");
+    BOOST_TEST(near(p.accumulated() / ep, 1, 1e-9, "accumulated strain in shear"));
+    BOOST_TEST(near(p.stress()[5] / exact, 1, 1e-3, "stress in shear over the closed form"));
   }
 
   /// matmodfit (github.com/KnutAM/matmodfit), examples/example04: R' = 10000 (1 - R / 400), C 5000, gamma 10,
@@ -108,8 +107,8 @@ namespace
         target.value   = {0.005 * s, -0.002 * s, -0.00125 * s, 0.0025 * s, 0.001 * s, 0};
         p.go_to(target);
       }
-    check_near(1e-6 * p.stress()[4], 55.5186, 5e-5, "published stress 13 [MPa]");
-    check_near(1e-6 * p.stress()[3], 138.796, 5e-4, "published stress 23 [MPa]");
+    BOOST_TEST(near(1e-6 * p.stress()[4], 55.5186, 5e-5, "published stress 13 [MPa]"));
+    BOOST_TEST(near(1e-6 * p.stress()[3], 138.796, 5e-4, "published stress 23 [MPa]"));
   }
 
   void
@@ -129,8 +128,8 @@ namespace
         pull(p, low, top, 8000, true);
         last = p.strain()[0] - before;
       }
-    check_near(exact, 0.0115627, 5e-8, "closed form of the ratcheting of Armstrong and Frederick");
-    check_near(last / exact, 1, 1e-3, "ratcheting of a cycle over it");
+    BOOST_TEST(near(exact, 0.0115627, 5e-8, "closed form of the ratcheting of Armstrong and Frederick"));
+    BOOST_TEST(near(last / exact, 1, 1e-3, "ratcheting of a cycle over it"));
 
     h.recovery      = 0;
     MaterialPoint q = point(h);
@@ -138,10 +137,10 @@ namespace
     const double before = q.strain()[0];
     pull(q, top, low, 10, true);
     pull(q, low, top, 10, true);
-    check_near(q.strain()[0] - before, 0, 1e-9, "Ohno and Wang do not ratchet below the threshold");
+    BOOST_TEST(near(q.strain()[0] - before, 0, 1e-9, "Ohno and Wang do not ratchet below the threshold"));
     pull(q, top, 828e6, 500, true);
-    check(q.strain()[0] - before > 5e-3,
-          "flow goes on at the threshold's stress, " + std::to_string(1e-6 * (k + bound)));
+    BOOST_TEST(q.strain()[0] - before > 5e-3,
+               "flow goes on at the threshold's stress, " + std::to_string(1e-6 * (k + bound)));
 
     h.recovery      = 0.1;
     MaterialPoint r = point(h);
@@ -150,7 +149,8 @@ namespace
     pull(r, top, low, 2000, true);
     pull(r, low, top, 2000, true);
     const double slow = r.strain()[0] - first;
-    check(slow > 0.02 * exact && slow < 0.3 * exact, "a tenth of the recovery below it ratchets little");
+    BOOST_TEST((slow > 0.02 * exact && slow < 0.3 * exact),
+               "a tenth of the recovery below it ratchets little");
   }
 
   void
@@ -163,8 +163,8 @@ namespace
     const double top = p.stress()[0];
     const double R   = Q * (1 - std::exp(-b * p.accumulated()));
     pull(p, a, a - 1.99 * (Y + R) / E, 5, false);
-    check_near(
-      (top - p.stress()[0]) / (1.99 * (Y + R)), 1, 1e-6, "unloading over twice the yield stress is elastic");
+    BOOST_TEST(near(
+      (top - p.stress()[0]) / (1.99 * (Y + R)), 1, 1e-6, "unloading over twice the yield stress is elastic"));
     pull(p, a - 1.99 * (Y + R) / E, -a, 200, false);
     for (int cycle = 0; cycle < 20; ++cycle)
       {
@@ -172,8 +172,8 @@ namespace
         pull(p, a, -a, 1000, false);
       }
     const double s = -p.stress()[0], range = 2 * (a - s / E);
-    check_near(
-      s / (Y + Q + C / gamma * std::tanh(gamma * range / 2)), 1, 1e-3, "saturated stress of strain cycles");
+    BOOST_TEST(near(
+      s / (Y + Q + C / gamma * std::tanh(gamma * range / 2)), 1, 1e-3, "saturated stress of strain cycles"));
   }
 
   /// One step and a thousand to the same strain, with all kinds of recovery; steps far beyond any use.
@@ -192,15 +192,16 @@ namespace
             stress.push_back(p.stress()[0]);
           }
         const std::string text = " (recovery " + std::to_string(recovery).substr(0, 3) + ")";
-        check_near(stress[0] / stress[3], 1, 0.1, "one step and a thousand" + text);
-        check_near(stress[2] / stress[3], 1, 0.003, "a hundred steps and a thousand" + text);
+        BOOST_TEST(near(stress[0] / stress[3], 1, 0.1, "one step and a thousand" + text));
+        BOOST_TEST(near(stress[2] / stress[3], 1, 0.003, "a hundred steps and a thousand" + text));
         MaterialPoint far = point(h);
         for (const double strain : {1., -1., 30., 0., 1e-6})
           {
             PointTarget target;
             target.value = {strain, -strain / 2, -strain / 2, strain, 0, strain / 3};
             far.go_to(target);
-            check(std::isfinite(far.stress()[0]), "a step to the strain " + std::to_string(strain) + text);
+            BOOST_TEST(std::isfinite(far.stress()[0]),
+                       "a step to the strain " + std::to_string(strain) + text);
           }
       }
   }
@@ -254,12 +255,12 @@ namespace
       }
     const std::string text =
       " (width " + std::to_string(W) + ", recovery " + std::to_string(recovery).substr(0, 3) + ")";
-    check_near(apart, 0, recovery < 1 ? 1e-10 : 1e-12, "lanes do not know of each other" + text);
-    check_near(off, 0, 1e-9, "stresses lie on the yield surface" + text);
-    check(beyond <= 1 + 1e-9 && (W == 1 || beyond > 0.5),
-          "back stresses stay within their bounds, at most " + std::to_string(beyond) + text);
-    check_near(many.accumulated[0], 0, 0, "the lane at rest keeps no history" + text);
-    check(W == 1 || heat <= 0, "no step gives heat back" + text);
+    BOOST_TEST(near(apart, 0, recovery < 1 ? 1e-10 : 1e-12, "lanes do not know of each other" + text));
+    BOOST_TEST(near(off, 0, 1e-9, "stresses lie on the yield surface" + text));
+    BOOST_TEST((beyond <= 1 + 1e-9 && (W == 1 || beyond > 0.5)),
+               "back stresses stay within their bounds, at most " + std::to_string(beyond) + text);
+    BOOST_TEST(near(many.accumulated[0], 0, 0, "the lane at rest keeps no history" + text));
+    BOOST_TEST((W == 1 || heat <= 0), "no step gives heat back" + text);
   }
 
   /// One modulus without recovery is the bilinear law with kinematic hardening.
@@ -282,9 +283,9 @@ namespace
         for (std::size_t k = 0; k < 6; ++k)
           worst = std::max(worst, std::abs(one.stress()[k] - other.stress()[k]) / 300e6);
       }
-    check_near(worst, 0, 1e-10, "stresses of the bilinear law");
-    check_near(one.plastic_work() / other.plastic_work(), 1, 1e-10, "and its plastic work");
-    check_near(one.hardening_energy() / other.hardening_energy(), 1, 1e-9, "and what hardening stores");
+    BOOST_TEST(near(worst, 0, 1e-10, "stresses of the bilinear law"));
+    BOOST_TEST(near(one.plastic_work() / other.plastic_work(), 1, 1e-10, "and its plastic work"));
+    BOOST_TEST(near(one.hardening_energy() / other.hardening_energy(), 1, 1e-9, "and what hardening stores"));
   }
 
   void
@@ -304,17 +305,18 @@ namespace
         at = to;
       }
     const double elastic = p.stress()[0] * p.stress()[0] / (2 * E);
-    check_near((elastic + p.plastic_work()) / external,
-               1,
-               1e-4,
-               "elastic energy and plastic work are the external work");
-    check(p.hardening_energy() > 0.01 * p.plastic_work() && p.hardening_energy() < 0.2 * p.plastic_work(),
-          "hardening stores a few per cent of it");
+    BOOST_TEST(near((elastic + p.plastic_work()) / external,
+                    1,
+                    1e-4,
+                    "elastic energy and plastic work are the external work"));
+    BOOST_TEST(
+      (p.hardening_energy() > 0.01 * p.plastic_work() && p.hardening_energy() < 0.2 * p.plastic_work()),
+      "hardening stores a few per cent of it");
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(chaboche)
 {
   curves();
   published();
@@ -329,5 +331,4 @@ main()
     }
   bilinear();
   energies();
-  return test::report();
 }

@@ -3,8 +3,8 @@
 // Chaboche's law in both elements: without recovery the forces of the bilinear law, widths, and the energy of
 // cycles with flow in it.
 
-#include "check.h"
 #include "explicit_brick.h"
+#include "near.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,10 +85,12 @@ namespace
         worst = std::max(worst, apart(one, other));
       }
     const std::string text = linear ? " (reduced)" : " (full)";
-    check_near(worst, 0, 1e-10, "forces of the bilinear law" + text);
-    check_near(one.energy.plastic_work / other.energy.plastic_work, 1, 1e-10, "and its plastic work" + text);
-    check_near(one.energy.hardening / other.energy.hardening, 1, 1e-9, "and what hardening stores" + text);
-    check(one.energy.hardening > 0, "which is not nothing" + text);
+    BOOST_TEST(near(worst, 0, 1e-10, "forces of the bilinear law" + text));
+    BOOST_TEST(
+      near(one.energy.plastic_work / other.energy.plastic_work, 1, 1e-10, "and its plastic work" + text));
+    BOOST_TEST(
+      near(one.energy.hardening / other.energy.hardening, 1, 1e-9, "and what hardening stores" + text));
+    BOOST_TEST(one.energy.hardening > 0, "which is not nothing" + text);
   }
 
   void
@@ -111,19 +113,19 @@ namespace
       }
     const std::string text = std::string(form == ElementForm::full ? " (full" : " (reduced") + ", recovery " +
                              std::to_string(recovery).substr(0, 3) + ")";
-    check_near(worst, 0, 1e-9, "width 1 and the widest" + text);
+    BOOST_TEST(near(worst, 0, 1e-9, "width 1 and the widest" + text));
     const ElementEnergy &e = body.energy;
-    check_near((e.strain + e.stabilisation + e.plastic_work) / body.external,
-               1,
-               3e-3,
-               "stored and plastic energies are the external work" + text);
-    check(e.hardening > 0 && e.hardening < e.plastic_work,
-          "hardening stores a part of the plastic work" + text);
+    BOOST_TEST(near((e.strain + e.stabilisation + e.plastic_work) / body.external,
+                    1,
+                    3e-3,
+                    "stored and plastic energies are the external work" + text));
+    BOOST_TEST((e.hardening > 0 && e.hardening < e.plastic_work),
+               "hardening stores a part of the plastic work" + text);
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(chaboche_elements)
 {
   for (const ElementForm form : {ElementForm::reduced, ElementForm::full})
     {
@@ -131,5 +133,4 @@ main()
       widths_and_energy(form, 1);
       widths_and_energy(form, 0);
     }
-  return test::report();
 }

@@ -73,28 +73,28 @@ namespace
   compare(const std::string &one_go, const std::string &gone_on, const std::string &what)
   {
     const History a = read_history(one_go + "/history.h5"), b = read_history(gone_on + "/history.h5");
-    check(!a.columns.empty() && a.columns[0].size() > 50 && a.columns == b.columns,
-          what + ": the same history");
+    BOOST_TEST((!a.columns.empty() && a.columns[0].size() > 50 && a.columns == b.columns),
+               what + ": the same history");
     const Summary s = read_summary(one_go + "/summary.json"), t = read_summary(gone_on + "/summary.json");
     for (const std::string &key :
          split_list("normal_force_N, longitudinal_force_N, max_pressure_Pa, contact_area_m2, creepage, "
                     "stick_fraction, max_von_mises_Pa, rolled_distance_m, time_steps, energy_error, "
                     "relative_roll_rad"))
-      check(get_figure(s, key) == get_figure(t, key), what + ": the same " + key);
-    check(s.finished && t.finished, what + ": both have finished");
+      BOOST_TEST((get_figure(s, key) == get_figure(t, key)), what + ": the same " + key);
+    BOOST_TEST((s.finished && t.finished), what + ": both have finished");
     for (unsigned int tick = 0; tick < 5; ++tick)
       {
         const PatchFields p = read_patch(one_go + "/patch.h5", tick),
                           q = read_patch(gone_on + "/patch.h5", tick);
-        check(p.time == q.time && p.pressure == q.pressure && p.slip_along == q.slip_along,
-              what + ": the same patch at tick " + std::to_string(tick));
+        BOOST_TEST((p.time == q.time && p.pressure == q.pressure && p.slip_along == q.slip_along),
+                   what + ": the same patch at tick " + std::to_string(tick));
       }
     for (const char *name : {"/surface.pvd", "/window.pvd"})
       {
         PvdSeries u(one_go + name), v(gone_on + name);
         u.load();
         v.load();
-        check(u.entries().size() == 5 && u.entries() == v.entries(), what + ": the same " + name);
+        BOOST_TEST((u.entries().size() == 5 && u.entries() == v.entries()), what + ": the same " + name);
       }
   }
 
@@ -115,11 +115,11 @@ namespace
   interrupted_run()
   {
     Scene base = scene("base");
-    check(run(base, false, 200) == 3, "an interrupted run ends with exit code 3");
+    BOOST_TEST(run(base, false, 200) == 3, "an interrupted run ends with exit code 3");
     const Summary summary = read_summary(base.folder + "/summary.json");
-    check(!summary.finished && summary.stop_reason == "interrupted" && summary.time_steps == 200,
-          "its summary says so");
-    check(count_checkpoints(base.folder) == 3, "its last two states are saved");
+    BOOST_TEST((!summary.finished && summary.stop_reason == "interrupted" && summary.time_steps == 200),
+               "its summary says so");
+    BOOST_TEST(count_checkpoints(base.folder) == 3, "its last two states are saved");
     return base;
   }
 
@@ -151,16 +151,18 @@ namespace
   {
     const Scene again = copy(base, "again");
     change_a_bit(newest_file(again.folder));
-    check(run(again, true, 250) == 3, "gone on from the older state, since the newer one is damaged");
-    check(log_of(again).find("goes on from the state before it") != std::string::npos, "and it says so");
-    check(log_of(again).find("driving, traction coefficient 0.25 of friction 0.5") != std::string::npos,
-          "the log says in words what is computed");
+    BOOST_TEST(run(again, true, 250) == 3, "gone on from the older state, since the newer one is damaged");
+    BOOST_TEST((log_of(again).find("goes on from the state before it") != std::string::npos),
+               "and it says so");
+    BOOST_TEST(
+      (log_of(again).find("driving, traction coefficient 0.25 of friction 0.5") != std::string::npos),
+      "the log says in words what is computed");
     const std::string newest = newest_file(again.folder);
     on_disk([&]() { fs::resize_file(newest, fs::file_size(newest) / 3); });
-    check(run(again, true, 350) == 3, "gone on from the older state, since the newer one is torn");
-    check(run(again, true) == 0, "gone on to the end");
+    BOOST_TEST(run(again, true, 350) == 3, "gone on from the older state, since the newer one is torn");
+    BOOST_TEST(run(again, true) == 0, "gone on to the end");
     compare(one_go.folder, again.folder, "interrupted");
-    check(count_checkpoints(again.folder) == 0, "a finished run keeps no checkpoint");
+    BOOST_TEST(count_checkpoints(again.folder) == 0, "a finished run keeps no checkpoint");
   }
 
   void
@@ -168,12 +170,12 @@ namespace
   {
     Scene gone_on        = copy(base, "limit");
     gone_on.energy_limit = 1e-12;
-    check(error_of<RunError>(gone_on, true).find("energy balance") != std::string::npos,
-          "the energy limit stops a run");
-    check(error_of<InputError>(gone_on, true).find("would stop there again") != std::string::npos,
-          "the same limit again is refused");
+    BOOST_TEST((error_of<RunError>(gone_on, true).find("energy balance") != std::string::npos),
+               "the energy limit stops a run");
+    BOOST_TEST((error_of<InputError>(gone_on, true).find("would stop there again") != std::string::npos),
+               "the same limit again is refused");
     gone_on.energy_limit = one_go.energy_limit;
-    check(run(gone_on, true) == 0, "it goes on with a larger limit from the last good state");
+    BOOST_TEST(run(gone_on, true) == 0, "it goes on with a larger limit from the last good state");
     compare(one_go.folder, gone_on.folder, "stopped by limit");
   }
 
@@ -181,8 +183,8 @@ namespace
   check_refusal(const Scene &scene, const std::string &part, const std::string &what)
   {
     const std::string error = error_of<InputError>(scene, true);
-    if (!check(error.find(part) != std::string::npos && error.find('\n') == std::string::npos, what))
-      std::cout << "  found: " << error << std::endl;
+    BOOST_TEST((error.find(part) != std::string::npos && error.find('\n') == std::string::npos),
+               what << ", found: " << error);
   }
 
   void
@@ -211,7 +213,7 @@ namespace
     check_refusal(one_go, "has finished", "a finished run is not gone on with");
     check_refusal(scene("nowhere"), "there is no run to go on with", "no folder, nothing to go on from");
     MPI_Barrier(MPI_COMM_WORLD); // the root removes what it made
-    check(!fs::exists(scene("nowhere").folder), "and none is made");
+    BOOST_TEST(!fs::exists(scene("nowhere").folder), "and none is made");
 
     const Scene saved      = copy(base, "refused");
     Scene       other      = saved;
@@ -225,8 +227,8 @@ namespace
                   "140 km/h; set them back",
                   "other entries are named");
     const std::string error = error_of<InputError>(other, true);
-    check(error.find("Title") == std::string::npos && error.find("Ticks") == std::string::npos,
-          "title and ticks may differ");
+    BOOST_TEST((error.find("Title") == std::string::npos && error.find("Ticks") == std::string::npos),
+               "title and ticks may differ");
     other                  = saved;
     other.rolling_distance = 80e-3;
     check_refusal(other, "on the rail of the saved state the wheel can roll 5", "no rail for a longer way");
@@ -236,18 +238,17 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(checkpoint)
 {
-  Parallel parallel(argc, argv);
+  const Parallel parallel;
   rank = parallel.rank, size = parallel.size;
   const Scene base = interrupted_run(), one_go = copy(base, "one_go");
-  check(run(one_go, true) == 0, "a run that goes on");
+  BOOST_TEST(run(one_go, true) == 0, "a run that goes on");
   gone_back(base, one_go);
   stopped_by_limit(base, one_go);
   refusals(base, one_go);
   Scene longer            = copy(base, "longer");
   longer.rolling_distance = 7e-3;
-  check(run(longer, true) == 0, "a run that goes on with a longer way");
-  return parallel.report();
+  BOOST_TEST(run(longer, true) == 0, "a run that goes on with a longer way");
 }

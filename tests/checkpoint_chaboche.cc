@@ -43,35 +43,33 @@ namespace
   stopped(const ElementForm form, const std::string &name)
   {
     const Scene base = scene(name, form), one_go = scene(name + "_one_go", form);
-    check(run(base, false, 20) == 3, "interrupted soon after the static start, " + name);
+    BOOST_TEST(run(base, false, 20) == 3, "interrupted soon after the static start, " + name);
     fs::remove_all(one_go.folder);
     fs::copy(base.folder, one_go.folder);
-    check(run(one_go, true) == 0, "gone on to the end in one go, " + name);
-    check(run(base, true, 150) == 3 && run(base, true, 290) == 3, "interrupted twice, " + name);
-    check(run(base, true) == 0, "gone on to the end, " + name);
+    BOOST_TEST(run(one_go, true) == 0, "gone on to the end in one go, " + name);
+    BOOST_TEST((run(base, true, 150) == 3 && run(base, true, 290) == 3), "interrupted twice, " + name);
+    BOOST_TEST(run(base, true) == 0, "gone on to the end, " + name);
 
     const History a = read_history(one_go.folder + "/history.h5"),
                   b = read_history(base.folder + "/history.h5");
-    check(a.columns[0].size() > 50 && a.columns == b.columns, "the same history, " + name);
+    BOOST_TEST((a.columns[0].size() > 50 && a.columns == b.columns), "the same history, " + name);
     for (std::size_t c = 0; c < a.names.size(); ++c)
       if (a.names[c] == "plastic_work" || a.names[c] == "hardening_energy")
-        check(a.columns[c].back() > a.columns[c][a.columns[c].size() / 3] && a.columns[c].back() > 0,
-              a.names[c] + " grows while it rolls, " + name);
+        BOOST_TEST((a.columns[c].back() > a.columns[c][a.columns[c].size() / 3] && a.columns[c].back() > 0),
+                   a.names[c] + " grows while it rolls, " + name);
     const Summary s = read_summary(one_go.folder + "/summary.json"),
                   t = read_summary(base.folder + "/summary.json");
     for (const char *key : {"max_pressure_Pa", "max_plastic_strain", "plastic_work_rail_J"})
-      check(get_figure(s, key) == get_figure(t, key), "the same " + std::string(key) + ", " + name);
+      BOOST_TEST((get_figure(s, key) == get_figure(t, key)), "the same " + std::string(key) + ", " + name);
     // like static starts, two unloadings in one process agree within their tolerance only
-    check_near(
-      s.max_residual_von_mises / t.max_residual_von_mises, 1, 1e-6, "the same residual stress, " + name);
+    BOOST_TEST(near(
+      s.max_residual_von_mises / t.max_residual_von_mises, 1, 1e-6, "the same residual stress, " + name));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(checkpoint_chaboche, test::Parallel)
 {
-  Parallel parallel(argc, argv);
   stopped(ElementForm::reduced, "reduced");
   stopped(ElementForm::full, "full");
-  return parallel.report();
 }

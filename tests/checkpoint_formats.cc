@@ -6,8 +6,8 @@
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/state/checkpoint.h>
 
-#include "check.h"
 #include "error_of.h"
+#include "near.h"
 
 #include <cstdint>
 #include <string>
@@ -56,26 +56,26 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(checkpoint_formats)
 {
   const std::string bytes = bytes_of(small_state());
   const Checkpoint  now   = checkpoint_from_bytes(bytes);
   const PartState   pads  = now.rolling.parts.at("pads");
-  check(now.travelled() == 0.01 && pads.numbers.at("lift") == 3, "numbers of the parts");
-  check(pads.nodes == std::vector<std::uint64_t>{7, 5} && pads.values == std::vector<double>{1, 2, 3, 4},
-        "values of nodes");
-  check(now.node == small_state().node, "keys of nodes");
+  BOOST_TEST((now.travelled() == 0.01 && pads.numbers.at("lift") == 3), "numbers of the parts");
+  BOOST_TEST(
+    (pads.nodes == std::vector<std::uint64_t>{7, 5} && pads.values == std::vector<double>{1, 2, 3, 4}),
+    "values of nodes");
+  BOOST_TEST((now.node == small_state().node), "keys of nodes");
 
-  check_text(refusal(bytes, [](const hid_t file) { H5Adelete(file, "format"); }),
-             "it is of format 6, this version of the program reads format 11",
-             "an older format is refused");
-  check_text(refusal(bytes,
-                     [](const hid_t file) {
-                       H5Adelete(file, "format");
-                       hdf5::write_attribute(file, "format", 99.);
-                     }),
-             "it is of format 99, this version of the program reads format 11",
-             "a newer format is refused");
-  return report();
+  BOOST_TEST(same_text(refusal(bytes, [](const hid_t file) { H5Adelete(file, "format"); }),
+                       "it is of format 6, this version of the program reads format 11",
+                       "an older format is refused"));
+  BOOST_TEST(same_text(refusal(bytes,
+                               [](const hid_t file) {
+                                 H5Adelete(file, "format");
+                                 hdf5::write_attribute(file, "format", 99.);
+                               }),
+                       "it is of format 99, this version of the program reads format 11",
+                       "a newer format is refused"));
 }

@@ -108,8 +108,8 @@ namespace
     for_each(parts.model.solid, [&](const double value, const double wanted) {
       largest = std::max(largest, std::abs(value - wanted));
     });
-    check_near(largest, 0, 1e-9, what + ": every number is at its place, largest difference");
-    check(parts.axle.height() == -2e-4 && parts.axle.pitch_rate() == 81, what + ": the axle");
+    BOOST_TEST(near(largest, 0, 1e-9, what + ": every number is at its place, largest difference"));
+    BOOST_TEST((parts.axle.height() == -2e-4 && parts.axle.pitch_rate() == 81), what + ": the axle");
 
     const ElementBlocks &rail = parts.model.solid.blocks.rail;
     bool                 same = true;
@@ -120,7 +120,7 @@ namespace
           flowed = flowed || centre(parts.model.solid.mesh, parts.model.solid.block_cells.rail[e])[2] > 0;
         same = same && flowed == (rail.flowed[batch] == 1);
       }
-    check(same, what + ": the batches that have flowed are known");
+    BOOST_TEST(same, what + ": the batches that have flowed are known");
   }
 
   /// The rail alone, under a new wheel of a steel that keeps many more numbers than the rail's: they are
@@ -137,9 +137,9 @@ namespace
     steel.cyclic.moduli = {40e9, 10e9, 2e9};
     steel.cyclic.rates  = {500, 100, 0};
     set_law(wheel, material_law(steel));
-    check(wheel.history_rows() > solid.blocks.rail.history_rows() + 10, "a wheel with longer rows");
+    BOOST_TEST(wheel.history_rows() > solid.blocks.rail.history_rows() + 10, "a wheel with longer rows");
     for_each(solid, [](double &value, double) { value = 7; });
-    check(restore_bodies(whole, solid, 0, MPI_COMM_WORLD, Body::rail), "the rail alone is restored");
+    BOOST_TEST(restore_bodies(whole, solid, 0, MPI_COMM_WORLD, Body::rail), "the rail alone is restored");
     bool zeros = true, there = true;
     for (const AlignedVector<double> *values : {&wheel.history, &wheel.plastic_work})
       for (std::size_t e = 0; e < wheel.n_elements; ++e)
@@ -150,12 +150,12 @@ namespace
               zeros &&
               (*values)[rows == 1 ? e : (e / wheel.width * rows + row) * wheel.width + e % wheel.width] == 0;
         }
-    check(zeros, "the wheel has not flowed");
+    BOOST_TEST(zeros, "the wheel has not flowed");
     const ElementBlocks &rail = solid.blocks.rail;
     for (std::size_t e = 0; e < rail.n_elements; ++e)
       there = there &&
               std::abs(rail.plastic_work[e] - mark(centre(solid.mesh, solid.block_cells.rail[e]), 7)) < 1e-9;
-    check(there, "the rail has done its work");
+    BOOST_TEST(there, "the rail has done its work");
   }
 
   /// The rank's part of a sum of works.
@@ -166,10 +166,10 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(checkpoint_ranks)
 {
-  Parallel        parallel(argc, argv);
+  const Parallel  parallel;
   Parts           parts(MPI_COMM_WORLD);
   TimeLoop::State rolling                        = parts.rolling.state();
   rolling.parts.at("axle").numbers["height"]     = -2e-4;
@@ -179,30 +179,30 @@ main(int argc, char **argv)
   for_each(parts.model.solid, [](double &value, const double wanted) { value = wanted; });
 
   const Checkpoint part = take_checkpoint(parts.model, parts.rolling, parts.recorder);
-  check(is_finite(part, MPI_COMM_WORLD), "the state is finite");
+  BOOST_TEST(is_finite(part, MPI_COMM_WORLD), "the state is finite");
   const Checkpoint whole = everywhere(gather_checkpoint(part, MPI_COMM_WORLD), parallel.rank);
-  check(whole.ranks == parallel.size, "the state tells its number of ranks");
+  BOOST_TEST((whole.ranks == parallel.size), "the state tells its number of ranks");
   const MeshQuality &quality = parts.model.solid.quality;
-  check(whole.node.size() == quality.nodes && whole.cell.size() == quality.elements, "all nodes and cells");
+  BOOST_TEST((whole.node.size() == quality.nodes && whole.cell.size() == quality.elements),
+             "all nodes and cells");
 
   Parts again(MPI_COMM_WORLD);
   check_restored(again, whole, MPI_COMM_WORLD, "as many ranks");
-  check(viscous(again) == 1 + parallel.rank, "as many ranks: each has its own sum");
+  BOOST_TEST((viscous(again) == 1 + parallel.rank), "as many ranks: each has its own sum");
   Parts alone(MPI_COMM_SELF);
   check_restored(alone, whole, MPI_COMM_SELF, "one rank");
-  check(viscous(alone) == parallel.size * (parallel.size + 1) / 2, "one rank: all sums");
+  BOOST_TEST((viscous(alone) == parallel.size * (parallel.size + 1) / 2), "one rank: all sums");
 
   check_rail_alone(whole);
 
   Checkpoint broken = part;
   if (parallel.rank == parallel.size - 1)
     broken.node_values["velocity"].values.back() = std::nan("");
-  check(!is_finite(broken, MPI_COMM_WORLD), "a value that is not finite is seen on all ranks");
+  BOOST_TEST(!is_finite(broken, MPI_COMM_WORLD), "a value that is not finite is seen on all ranks");
   Checkpoint other = whole;
   other.node_values["position"].values[4] += 1e-6;
   const std::string error = test::error_of<InputError>(
     [&]() { restore_checkpoint(other, alone.model, alone.rolling, alone.recorder, MPI_COMM_SELF); });
-  check(error.find("the mesh is not that of the saved state") != std::string::npos,
-        "another mesh is refused");
-  return parallel.report();
+  BOOST_TEST((error.find("the mesh is not that of the saved state") != std::string::npos),
+             "another mesh is refused");
 }

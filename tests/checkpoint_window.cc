@@ -37,41 +37,40 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(checkpoint_window)
 {
-  Parallel    parallel(argc, argv);
-  const Scene base = scene("base", parallel.size), one_go = scene("one_go", parallel.size);
-  check(run(base, false, 50) == 3, "interrupted soon after the static start");
+  const Parallel parallel;
+  const Scene    base = scene("base", parallel.size), one_go = scene("one_go", parallel.size);
+  BOOST_TEST(run(base, false, 50) == 3, "interrupted soon after the static start");
   if (parallel.rank == 0)
     {
       fs::remove_all(one_go.folder);
       fs::copy(base.folder, one_go.folder);
     }
   MPI_Barrier(MPI_COMM_WORLD);
-  check(run(one_go, true) == 0, "gone on to the end in one go");
+  BOOST_TEST(run(one_go, true) == 0, "gone on to the end in one go");
   const Summary       whole  = read_summary(one_go.folder + "/summary.json");
   const double        steps  = whole.time_steps;
   const unsigned long before = static_cast<unsigned long>(0.85 * steps),
                       after  = static_cast<unsigned long>(0.92 * steps);
-  check(run(base, true, before) == 3, "interrupted before the change of the mesh, at 16 mm");
-  check(run(base, true, after) == 3, "interrupted after it");
-  check(run(base, true) == 0, "gone on to the end");
+  BOOST_TEST(run(base, true, before) == 3, "interrupted before the change of the mesh, at 16 mm");
+  BOOST_TEST(run(base, true, after) == 3, "interrupted after it");
+  BOOST_TEST(run(base, true) == 0, "gone on to the end");
   const History a = read_history(one_go.folder + "/history.h5"),
                 b = read_history(base.folder + "/history.h5");
-  check(a.columns[0].size() > 50 && a.columns == b.columns, "the same history");
+  BOOST_TEST((a.columns[0].size() > 50 && a.columns == b.columns), "the same history");
   for (std::size_t c = 0; c < a.names.size(); ++c)
     if (a.names[c] == "mesh_change_work")
-      check(a.columns[c].front() != a.columns[c].back(), "the mesh has changed");
+      BOOST_TEST((a.columns[c].front() != a.columns[c].back()), "the mesh has changed");
   PvdSeries volumes(base.folder + "/volume.pvd");
   volumes.load();
-  check(volumes.entries().size() == 3 && volumes.entries()[1].second == "volume_evaluated.vtu" &&
-          fs::exists(base.folder + "/volume_evaluated.vtu"),
-        "the mesh at the start, at the place of evaluation and at the end");
+  BOOST_TEST((volumes.entries().size() == 3 && volumes.entries()[1].second == "volume_evaluated.vtu" &&
+              fs::exists(base.folder + "/volume_evaluated.vtu")),
+             "the mesh at the start, at the place of evaluation and at the end");
   const Summary stopped = read_summary(base.folder + "/summary.json");
   for (const char *key :
        {"normal_force_N", "max_pressure_Pa", "creepage", "energy_error", "max_von_mises_Pa"})
-    check(get_figure(whole, key) == get_figure(stopped, key), std::string("the same ") + key);
-  check(whole.energy_error < 1e-3, "the energy balance holds");
-  return parallel.report();
+    BOOST_TEST((get_figure(whole, key) == get_figure(stopped, key)), std::string("the same ") + key);
+  BOOST_TEST(whole.energy_error < 1e-3, "the energy balance holds");
 }

@@ -1,4 +1,4 @@
-"""The checks of the tests in Python, as tests/check.h has them: every check prints one line."""
+"""The checks of the tests in Python: every check prints one line."""
 
 import sys
 

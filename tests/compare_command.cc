@@ -1,8 +1,8 @@
 // The command compare: a run that is the half-space solution itself, in a pose, differs from it by nothing;
 // forces and pose come from its files; sentences on trust.
 
-#include "check.h"
 #include "messages.h"
+#include "near.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/format_text.h>
@@ -17,9 +17,8 @@
 #include <sstream>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
+using test::near;
+using test::same_text;
 
 namespace
 {
@@ -59,24 +58,26 @@ namespace
     scene.halfspace_element_size = 0.5e-3;
     write_run(scene, {-0.2e-3, -1.5e-3, 0.3e-3});
     std::ostringstream out;
-    check_near(execute({"compare", folder.string()}, {}, out), 0, 0, "exit code");
+    BOOST_TEST(near(execute({"compare", folder.string()}, {}, out), 0, 0, "exit code"));
     const Summary s = read_summary((folder / "summary.json").string());
     for (const std::string &base : split_list(
            "vertical_force, longitudinal_force, normal_force, lateral_force, max_pressure, contact_area, "
            "patch_lateral, patch_longitudinal, max_shear_traction, creepage, stick_fraction"))
-      check_near(get_figure(s, std::string("relative_difference_") + base), 0, 1e-3, base);
-    check_near(get_figure(s, "halfspace_max_pressure_Pa"), s.max_pressure, 1e-3 * s.max_pressure, "its peak");
-    check(out.str().find("-% %") == std::string::npos && out.str().find("% of the load") != std::string::npos,
-          "differences with their unit, the lateral force in parts of the load");
-    check(out.str().find("The run agrees with the half-spaces within 0.1 %") != std::string::npos,
-          "the sentence");
+      BOOST_TEST(near(get_figure(s, std::string("relative_difference_") + base), 0, 1e-3, base));
+    BOOST_TEST(
+      near(get_figure(s, "halfspace_max_pressure_Pa"), s.max_pressure, 1e-3 * s.max_pressure, "its peak"));
+    BOOST_TEST(
+      (out.str().find("-% %") == std::string::npos && out.str().find("% of the load") != std::string::npos),
+      "differences with their unit, the lateral force in parts of the load");
+    BOOST_TEST((out.str().find("The run agrees with the half-spaces within 0.1 %") != std::string::npos),
+               "the sentence");
     for (const std::string &file :
          split_list("compare.json, compare.html, halfspace.h5, halfspace_slices.h5, "
                     "pictures/compare_cut_aa.png, pictures/compare_subsurface_aa.png"))
-      check(fs::exists(folder / file), std::string(file) + " is written");
+      BOOST_TEST(fs::exists(folder / file), std::string(file) + " is written");
     const std::string page = read_whole_file((folder / "compare.html").string());
-    check(page.find("data:image/png;base64,") != std::string::npos, "the page holds its pictures");
-    check(page.find("://") == std::string::npos, "the page needs no network");
+    BOOST_TEST((page.find("data:image/png;base64,") != std::string::npos), "the page holds its pictures");
+    BOOST_TEST((page.find("://") == std::string::npos), "the page needs no network");
   }
 
   /// Without its pose in the summary the same run compares worse: the pose is used.
@@ -93,10 +94,10 @@ namespace
     execute({"compare", folder.string(), "--no-pictures"}, {}, out);
     // -26 MPa per 0.1 mm and -75 MPa per mrad of inclination (contact_pose_54E1.csv)
     const double expected = (2 * 26 - 1.8 * 75) * 1e6 / 1270e6;
-    check_near(get_figure(read_summary(path), "relative_difference_max_pressure"),
-               expected,
-               0.015,
-               "effect of the pose");
+    BOOST_TEST(near(get_figure(read_summary(path), "relative_difference_max_pressure"),
+                    expected,
+                    0.015,
+                    "effect of the pose"));
   }
 
   /// Figures of a summary that was changed by hand.
@@ -110,11 +111,11 @@ namespace
       set_figure(changed, key, value);
       write_summary(changed, path);
       std::ostringstream out;
-      check_text(test::message_of([&]() {
-                   execute({"compare", folder.string()}, {}, out);
-                 }),
-                 "The file \"" + path + "\" " + end,
-                 std::string(key) + " changed");
+      BOOST_TEST(same_text(test::message_of([&]() {
+                             execute({"compare", folder.string()}, {}, out);
+                           }),
+                           "The file \"" + path + "\" " + end,
+                           std::string(key) + " changed"));
     };
     const std::string lacks =
       "lacks one of vertical_force_N, longitudinal_force_N and max_pressure_Pa: the run did not get so far "
@@ -147,12 +148,12 @@ namespace
     set_figure(run, "creepage", 1e-5);
     write_summary(run, path);
     std::ostringstream out;
-    check_near(execute({"compare", folder.string(), "--no-pictures"}, {}, out),
-               0,
-               0,
-               "exit code of a frictionless comparison");
-    check(out.str().find("nan") == std::string::npos, "no nan in it");
-    check_near(get_figure(read_summary(path), "relative_difference_max_pressure"), 0, 1e-3, "its peak");
+    BOOST_TEST(near(execute({"compare", folder.string(), "--no-pictures"}, {}, out),
+                    0,
+                    0,
+                    "exit code of a frictionless comparison"));
+    BOOST_TEST((out.str().find("nan") == std::string::npos), "no nan in it");
+    BOOST_TEST(near(get_figure(read_summary(path), "relative_difference_max_pressure"), 0, 1e-3, "its peak"));
   }
 
   /// Another folder than that of a run, and a word that is none of the bodies.
@@ -161,16 +162,16 @@ namespace
   {
     std::ostringstream out;
     const std::string  other = (folder / "pictures").string();
-    check_text(test::message_of([&]() {
-                 execute({"compare", other}, {}, out);
-               }),
-               "The folder " + other + " holds no summary.json; give the output folder of a run.",
-               "a folder without a run");
-    check_text(test::message_of([&]() {
-                 execute({"compare", folder.string(), "--bodies", "reel"}, {}, out);
-               }),
-               "--bodies reel: half-spaces or real is accepted",
-               "a misspelt word");
+    BOOST_TEST(same_text(test::message_of([&]() {
+                           execute({"compare", other}, {}, out);
+                         }),
+                         "The folder " + other + " holds no summary.json; give the output folder of a run.",
+                         "a folder without a run"));
+    BOOST_TEST(same_text(test::message_of([&]() {
+                           execute({"compare", folder.string(), "--bodies", "reel"}, {}, out);
+                         }),
+                         "--bodies reel: half-spaces or real is accepted",
+                         "a misspelt word"));
   }
 
   /// A wheel on two rails at a time.
@@ -185,13 +186,14 @@ namespace
     set_figure(run, "patches", 2);
     write_summary(run, path);
     std::ostringstream out;
-    check_text(test::message_of([&]() {
-                 execute({"compare", folder.string()}, {}, out);
-               }),
-               "The file \"" + path +
-                 "\" holds 2 separate patches on two rails beside each other, which compare takes for one; "
-                 "half-spaces at each place of these rails: \"./wheelrail halfspace FILE.prm --places\".",
-               "patches on two rails");
+    BOOST_TEST(
+      same_text(test::message_of([&]() {
+                  execute({"compare", folder.string()}, {}, out);
+                }),
+                "The file \"" + path +
+                  "\" holds 2 separate patches on two rails beside each other, which compare takes for one; "
+                  "half-spaces at each place of these rails: \"./wheelrail halfspace FILE.prm --places\".",
+                "patches on two rails"));
   }
 
   /// A wheel that flies where the means are taken.
@@ -209,19 +211,19 @@ namespace
     set_figure(run, "vertical_force_N", 500);
     write_summary(run, path);
     std::ostringstream out;
-    check_text(
+    BOOST_TEST(same_text(
       test::message_of([&]() {
         execute({"compare", folder.string()}, {}, out);
       }),
       "The file \"" + path +
         "\" holds means of a wheel off the rail, which has no patch to be compared; compute it again with "
         "Run/Evaluate at = largest force.",
-      "a wheel off the rail");
+      "a wheel off the rail"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(compare_command)
 {
   fs::remove_all(folder);
   test_same_solution();
@@ -231,5 +233,4 @@ main()
   test_two_rails();
   test_off_the_rail();
   test_refused();
-  return test::report();
 }

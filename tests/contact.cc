@@ -117,9 +117,9 @@ namespace
           lowest = std::min(lowest, gap);
           error  = std::max(error, std::abs(contact.nodes()[lattice.index(i, j)].gap - gap));
         }
-    check(lowest < -50e-6 && nodes > 40, std::to_string(nodes) + " nodes nearer than 60 um");
+    BOOST_TEST((lowest < -50e-6 && nodes > 40), std::to_string(nodes) + " nodes nearer than 60 um");
     // the parabola and the cosine of the slope are not exact themselves, see no_cogging()
-    check_near(1e6 * error, 0, 0.5, "gap against undeformed distance d(s) + z^2/2r [um]");
+    BOOST_TEST(near(1e6 * error, 0, 0.5, "gap against undeformed distance d(s) + z^2/2r [um]"));
   }
 
   void
@@ -142,10 +142,12 @@ namespace
             nodes += errors.nodes;
           }
       }
-    check(lost == 0, std::to_string(lost) + " of " + std::to_string(nodes) + " near nodes found no facet");
-    check_near(
-      1e6 * still, 0, 0.02, "wheel turned in place by parts of a cell: gap against the exact surface [um]");
-    check_near(1e6 * rolling, 0, 0.02, "wheel rolled by parts of a cell: gap against the exact surface [um]");
+    BOOST_TEST(lost == 0,
+               std::to_string(lost) + " of " + std::to_string(nodes) + " near nodes found no facet");
+    BOOST_TEST(near(
+      1e6 * still, 0, 0.02, "wheel turned in place by parts of a cell: gap against the exact surface [um]"));
+    BOOST_TEST(
+      near(1e6 * rolling, 0, 0.02, "wheel rolled by parts of a cell: gap against the exact surface [um]"));
     std::cout << "        the chords themselves: " << 1e6 * spacing * spacing / 8 / radius << " um\n";
   }
 
@@ -156,15 +158,16 @@ namespace
     Scene scene            = small_scene(5e-4);
     scene.rolling_distance = 1e-3;
     Model model            = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
-    check(model.contact->lattice().n_lateral > 61,
-          std::to_string(model.contact->lattice().n_lateral) + " rows of 0.5 mm");
+    BOOST_TEST(model.contact->lattice().n_lateral > 61,
+               std::to_string(model.contact->lattice().n_lateral) + " rows of 0.5 mm");
     const Motion motion{60e-6, 0, 0};
     place(model, motion);
     model.contact->evaluate(0);
     const GapErrors errors = gap_errors(model, motion, 60e-6);
-    check(errors.lost == 0,
-          std::to_string(errors.lost) + " of " + std::to_string(errors.nodes) + " near nodes found no facet");
-    check_near(1e6 * errors.largest, 0, 0.02, "cells of 0.5 mm: gap against the exact surface [um]");
+    BOOST_TEST(errors.lost == 0,
+               std::to_string(errors.lost) + " of " + std::to_string(errors.nodes) +
+                 " near nodes found no facet");
+    BOOST_TEST(near(1e6 * errors.largest, 0, 0.02, "cells of 0.5 mm: gap against the exact surface [um]"));
   }
 
   /// Sums of forces and of moments about the first contact point over the nodes of a body.
@@ -217,15 +220,16 @@ namespace
     const ForceSum    wheel = force_sum(model, Body::wheel), rail = force_sum(model, Body::rail);
     const double      F = norm(sums.force);
     std::cout << "        force " << 1e-3 * F << " kN on " << sums.nodes << " nodes\n";
-    check_near(
-      norm(wheel.force - sums.force) / F, 0, 1e-12, "force on the wheel's nodes is the sum of the contact");
-    check_near(norm(wheel.force + rail.force) / F, 0, 1e-12, "forces on both bodies are equal and opposite");
+    BOOST_TEST(near(
+      norm(wheel.force - sums.force) / F, 0, 1e-12, "force on the wheel's nodes is the sum of the contact"));
+    BOOST_TEST(
+      near(norm(wheel.force + rail.force) / F, 0, 1e-12, "forces on both bodies are equal and opposite"));
     // they act at both ends of the gap: what is left is the gap's tangential part and the shear over the gap
-    check_near(1e6 * norm(wheel.moment + rail.moment) / F,
-               0,
-               0.2,
-               "lever that the sum of both moments leaves, at 60 um of penetration [um]");
-    check(sums.force[1] > 0 && sums.force[2] < 0, "the wheel is pushed up and held back");
+    BOOST_TEST(near(1e6 * norm(wheel.moment + rail.moment) / F,
+                    0,
+                    0.2,
+                    "lever that the sum of both moments leaves, at 60 um of penetration [um]"));
+    BOOST_TEST((sums.force[1] > 0 && sums.force[2] < 0), "the wheel is pushed up and held back");
     double twice = 0;
     for (const auto &spring : model.contact->springs())
       {
@@ -235,7 +239,7 @@ namespace
         twice                   = std::max(
           twice, std::abs(p + model.contact->law().damping * dot(v, node.normal)) / sums.largest_pressure);
       }
-    check_near(twice, 0, 1e-12, "pressure is stiffness x penetration + damping x closing speed");
+    BOOST_TEST(near(twice, 0, 1e-12, "pressure is stiffness x penetration + damping x closing speed"));
   }
 
   /// A wheel moved by many cells, as friction bends it aside in the static start, presses all the same.
@@ -255,9 +259,9 @@ namespace
               sum += weight;
             normal = std::max(normal, std::abs(sum));
           }
-        check(sums.nodes > 40 && springs.size() == std::size_t(sums.nodes) && normal < 1e-12,
-              std::to_string(springs.size()) + " springs at " + std::to_string(sums.nodes) +
-                " pressed nodes, the wheel " + std::to_string(cells) + " cells ahead");
+        BOOST_TEST((sums.nodes > 40 && springs.size() == std::size_t(sums.nodes) && normal < 1e-12),
+                   std::to_string(springs.size()) + " springs at " + std::to_string(sums.nodes) +
+                     " pressed nodes, the wheel " + std::to_string(cells) + " cells ahead");
       }
   }
 
@@ -292,11 +296,12 @@ namespace
               }
           }
       }
-    check_near(stick, 0, 1e-3, "small slip sticks: shear is stiffness x way");
-    check_near(excess / sums.largest_pressure, 0, 1e-12, "shear traction never exceeds friction x pressure");
-    check_near(tilt / sums.largest_pressure, 0, 1e-12, "the shear history lies in the tangent plane");
-    check_near(
-      sums.friction_power / (-sums.force[2] * slow), 0, 0.02, "sticking: share of friction in the work");
+    BOOST_TEST(near(stick, 0, 1e-3, "small slip sticks: shear is stiffness x way"));
+    BOOST_TEST(
+      near(excess / sums.largest_pressure, 0, 1e-12, "shear traction never exceeds friction x pressure"));
+    BOOST_TEST(near(tilt / sums.largest_pressure, 0, 1e-12, "the shear history lies in the tangent plane"));
+    BOOST_TEST(near(
+      sums.friction_power / (-sums.force[2] * slow), 0, 0.02, "sticking: share of friction in the work"));
 
     for (int n = 1; n <= 200; ++n)
       {
@@ -305,21 +310,21 @@ namespace
         for (const auto &node : model.contact->nodes())
           excess = std::max(excess, norm(node.traction) - law.friction.at_rest * node.pressure);
       }
-    check_near(excess / sums.largest_pressure, 0, 1e-12, "full slip: the bound holds");
-    check_near(-sums.force[2] / (law.friction.at_rest * sums.normal_force),
-               1,
-               1e-3,
-               "full slip: force is friction x normal force");
-    check_near(
-      sums.friction_power / (-sums.force[2] * 100 * slow), 1, 1e-3, "full slip: all work is friction");
+    BOOST_TEST(near(excess / sums.largest_pressure, 0, 1e-12, "full slip: the bound holds"));
+    BOOST_TEST(near(-sums.force[2] / (law.friction.at_rest * sums.normal_force),
+                    1,
+                    1e-3,
+                    "full slip: force is friction x normal force"));
+    BOOST_TEST(
+      near(sums.friction_power / (-sums.force[2] * 100 * slow), 1, 1e-3, "full slip: all work is friction"));
 
     // lowered further and tilted: history must follow the new normals
     place(model, {70e-6, 0, 0.002}, {0, 0, -slow});
     model.contact->evaluate(step);
     for (const auto &node : model.contact->nodes())
       tilt = std::max(tilt, std::abs(dot(node.elastic, node.normal)));
-    check_near(
-      tilt / sums.largest_pressure, 0, 1e-12, "turned wheel: the shear history lies in the tangent plane");
+    BOOST_TEST(near(
+      tilt / sums.largest_pressure, 0, 1e-12, "turned wheel: the shear history lies in the tangent plane"));
   }
 
   /// A wheel pressed on, dragged, turned and lifted along a given path: contact work against energy.
@@ -368,19 +373,18 @@ namespace
     stored = sums.stored_energy;
     std::cout << "        work up to the middle " << half_work << " J, friction " << friction << " J, in all "
               << work << " J\n";
-    check_near(
-      -half_work / half_energy, 1, 0.01, "pressed on and dragged: work over stored and dissipated energy");
-    check_near(-work / (stored + dissipated), 1, 0.02, "lifted again: work over dissipated energy");
-    check_near(stored, 0, 0, "nothing stays stored [J]");
-    check(friction > 0.1 * dissipated, "friction takes part");
+    BOOST_TEST(near(
+      -half_work / half_energy, 1, 0.01, "pressed on and dragged: work over stored and dissipated energy"));
+    BOOST_TEST(near(-work / (stored + dissipated), 1, 0.02, "lifted again: work over dissipated energy"));
+    BOOST_TEST(near(stored, 0, 0, "nothing stays stored [J]"));
+    BOOST_TEST(friction > 0.1 * dissipated, "friction takes part");
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(contact, test::Parallel)
 {
-  Parallel parallel(argc, argv);
-  Model    model = test::small_model(MPI_COMM_WORLD, 2e-3);
+  Model model = test::small_model(MPI_COMM_WORLD, 2e-3);
   undeformed_distance_is_met(model);
   no_cogging(model);
   action_and_reaction(model);
@@ -388,5 +392,4 @@ main(int argc, char **argv)
   coulomb_friction(model);
   work_is_energy(model);
   many_rows();
-  return parallel.report();
 }

@@ -15,11 +15,10 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
-using test::check_text;
+using test::near;
+using test::near_relative;
 using test::replaced;
+using test::same_text;
 
 namespace
 {
@@ -60,8 +59,7 @@ namespace
   }
 
   /// Driven, before the flange root.
-  void
-  test_same_contact()
+  BOOST_AUTO_TEST_CASE(test_same_contact)
   {
     const Written given = written({"Wheelset/Lateral shift = -4 mm", "Wheelset/Traction coefficient = 0.1"});
     WheelRailLoad pressed;
@@ -71,28 +69,33 @@ namespace
     const WheelRailSolution  s = solve_wheel_rail(given.scene, given.geometry, pressed, {});
     std::vector<std::string> without;
     const FigureTable        right = answer(given.input, without);
-    check(without.empty() && right.rows() == 1, "one row" + (without.empty() ? "" : ": " + without.front()));
-    check_relative(value(right, "max_pressure_Pa"), s.solution.peak_pressure, 3e-3, "peak pressure");
-    check_relative(value(right, "area_of_whole_elements_m2"), s.solution.area, 1e-2, "area");
-    check_relative(value(right, "longitudinal_force_N"), s.solution.fx, 1e-3, "longitudinal force");
-    check_near(value(right, "creepage"), s.reference->creepage, 2e-5, "creepage");
-    check_near(value(right, "contact_angle_rad"), -s.reference->angle, 1e-3, "angle, falling to the left");
-    check_near(value(right, "y_track_m"), 0.75 - s.reference->place.x, 1e-4, "place, to the right");
-    check_near(value(right, "tangential_lateral_force_N"), -s.solution.fy, 2e-3 * load, "lateral force");
-    check(std::abs(value(right, "relative_difference_max_pressure")) < 0.1, "beside the half-spaces");
+    BOOST_TEST((without.empty() && right.rows() == 1),
+               "one row" + (without.empty() ? "" : ": " + without.front()));
+    BOOST_TEST(
+      near_relative(value(right, "max_pressure_Pa"), s.solution.peak_pressure, 3e-3, "peak pressure"));
+    BOOST_TEST(near_relative(value(right, "area_of_whole_elements_m2"), s.solution.area, 1e-2, "area"));
+    BOOST_TEST(
+      near_relative(value(right, "longitudinal_force_N"), s.solution.fx, 1e-3, "longitudinal force"));
+    BOOST_TEST(near(value(right, "creepage"), s.reference->creepage, 2e-5, "creepage"));
+    BOOST_TEST(
+      near(value(right, "contact_angle_rad"), -s.reference->angle, 1e-3, "angle, falling to the left"));
+    BOOST_TEST(near(value(right, "y_track_m"), 0.75 - s.reference->place.x, 1e-4, "place, to the right"));
+    BOOST_TEST(
+      near(value(right, "tangential_lateral_force_N"), -s.solution.fy, 2e-3 * load, "lateral force"));
+    BOOST_TEST(std::abs(value(right, "relative_difference_max_pressure")) < 0.1, "beside the half-spaces");
 
     // the mirror image
     const FigureTable left =
       answer(replaced(replaced(given.input, " 12031", " 02031"), "0 4 60000", "0 -4 60000"), without);
-    check_relative(
-      value(left, "max_pressure_Pa"), value(right, "max_pressure_Pa"), 1e-9, "left: peak pressure");
+    BOOST_TEST(near_relative(
+      value(left, "max_pressure_Pa"), value(right, "max_pressure_Pa"), 1e-9, "left: peak pressure"));
     for (const char *key : {"y_track_m", "contact_angle_rad", "tangential_lateral_force_N", "spin_per_m"})
-      check_relative(value(left, key), -value(right, key), 1e-6, std::string("left, turned: ") + key);
+      BOOST_TEST(
+        near_relative(value(left, key), -value(right, key), 1e-6, std::string("left, turned: ") + key));
   }
 
   /// A pitch rate given, and a wheel whose origin lies on its flange back.
-  void
-  test_rate()
+  BOOST_AUTO_TEST_CASE(test_rate)
   {
     const Written given = written({"Wheelset/Drive = rate", "Wheelset/Creepage = 0.002"});
     WheelRailLoad pressed;
@@ -109,34 +112,27 @@ namespace
     std::vector<std::string> without;
     const FigureTable        row =
       answer(replaced(replaced(given.input, "wheel.txt", "moved.txt"), " 1360 -70 ", " 1360 0 "), without);
-    check(without.empty() && row.rows() == 1, "one row" + (without.empty() ? "" : ": " + without.front()));
-    check_relative(value(row, "max_pressure_Pa"), s.solution.peak_pressure, 3e-3, "rate: peak pressure");
-    check_relative(value(row, "longitudinal_force_N"), s.solution.fx, 1e-2, "rate: longitudinal force");
+    BOOST_TEST((without.empty() && row.rows() == 1),
+               "one row" + (without.empty() ? "" : ": " + without.front()));
+    BOOST_TEST(
+      near_relative(value(row, "max_pressure_Pa"), s.solution.peak_pressure, 3e-3, "rate: peak pressure"));
+    BOOST_TEST(
+      near_relative(value(row, "longitudinal_force_N"), s.solution.fx, 1e-2, "rate: longitudinal force"));
   }
 
-  void
-  test_refusals()
+  BOOST_AUTO_TEST_CASE(test_refusals)
   {
     const std::string given = written({"Wheelset/Drive = rate"}).input;
     const auto expect = [&](const std::string &from, const std::string &to, const std::string &sentence) {
       std::vector<std::string> without;
       answer(replaced(given, from, to), without);
-      check_text(without.empty() ? "" : without.front(), "x.inp:4: " + sentence, sentence);
+      BOOST_TEST(same_text(without.empty() ? "" : without.front(), "x.inp:4: " + sentence, sentence));
     };
     expect(" 12031", " 12001", "true bodies do not take a motion other than steady rolling; taken is T = 3");
     std::vector<std::string> without;
     answer(test::basic.substr(0, test::basic.find("% Case 2")) + " 0 MODULE\n", without);
-    check_text(without.empty() ? "" : without.front(),
-               "x.inp:3: true bodies have an answer for wheel on rail, module 1, alone",
-               "basic contact");
+    BOOST_TEST(same_text(without.empty() ? "" : without.front(),
+                         "x.inp:3: true bodies have an answer for wheel on rail, module 1, alone",
+                         "basic contact"));
   }
 } // namespace
-
-int
-main()
-{
-  test_same_contact();
-  test_rate();
-  test_refusals();
-  return test::report();
-}

@@ -1,7 +1,7 @@
 // Rolling of an elastic cylinder on an elastic strip against Carter's solution: force and creepage, pressure,
 // noise.
 
-#include "check.h"
+#include "parallel.h"
 #include "scenes/rolling_pair.h"
 
 #include <algorithm>
@@ -74,16 +74,18 @@ namespace
         const RollingPairRun run = roll(setup);
         print(setup, run);
         const Carter line = carter(run.force[1] / cell, creepage);
-        check_near(run.peak / line.peak, 1, 0.01, "peak pressure over Hertz's");
-        check_near(run.noise, 0, 0.01, "noise of the normal force");
-        check_near(run.peak_noise, 0, 0.01, "noise of the peak pressure");
-        check_near(run.energy_error, 0, 0.01, "springs, friction and damping against the work of the forces");
-        check(run.friction_energy > 0.9 * (run.friction_energy + run.damping_energy), "heat is friction's");
+        BOOST_TEST(near(run.peak / line.peak, 1, 0.01, "peak pressure over Hertz's"));
+        BOOST_TEST(near(run.noise, 0, 0.01, "noise of the normal force"));
+        BOOST_TEST(near(run.peak_noise, 0, 0.01, "noise of the peak pressure"));
+        BOOST_TEST(
+          near(run.energy_error, 0, 0.01, "springs, friction and damping against the work of the forces"));
+        BOOST_TEST(run.friction_energy > 0.9 * (run.friction_energy + run.damping_energy),
+                   "heat is friction's");
         sum += std::abs(over_bound(run));
         expected += std::abs(line.force);
       }
     // driving and braking differ by the strain of the rolling radius, which Carter's half-planes have not
-    check_near(sum / expected, 1, 0.03, "force of driving and braking over Carter's");
+    BOOST_TEST(near(sum / expected, 1, 0.03, "force of driving and braking over Carter's"));
   }
 
   /// Stations of the wheel that are not those of the rail: the mean holds, the peak is no longer quiet.
@@ -99,20 +101,18 @@ namespace
     const RollingPairRun other = roll(setup);
     std::cout << "        cells of the wheel 1.25 mm long:" << std::endl;
     print(setup, other);
-    check_near(
-      other.force[1] / equal.force[1], 1, 0.02, "other stations: normal force over that of equal ones");
-    check_near(
-      over_bound(other) / over_bound(equal), 1, 0.03, "other stations: shear force over that of equal ones");
-    check(other.peak_noise > 2 * equal.peak_noise, "other stations: more noise");
+    BOOST_TEST(
+      near(other.force[1] / equal.force[1], 1, 0.02, "other stations: normal force over that of equal ones"));
+    BOOST_TEST(near(
+      over_bound(other) / over_bound(equal), 1, 0.03, "other stations: shear force over that of equal ones"));
+    BOOST_TEST(other.peak_noise > 2 * equal.peak_noise, "other stations: more noise");
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(contact_carter, test::Parallel)
 {
-  Program program(argc, argv);
   driving_and_braking();
   if (!sanitized)
     other_stations();
-  return report();
 }

@@ -19,11 +19,10 @@
 
 using namespace wheelrail;
 using test::basic;
-using test::check;
-using test::check_near;
-using test::check_relative;
-using test::check_text;
+using test::near;
+using test::near_relative;
 using test::replaced;
+using test::same_text;
 
 namespace
 {
@@ -44,43 +43,41 @@ namespace
     return 1e3 * task.problem.undeformed_distance[i + grid.mx * j];
   }
 
-  void
-  test_distances()
+  BOOST_AUTO_TEST_CASE(test_distances)
   {
     // element (1, 1) of basic lies at x = -4.1 + 1.5 x 0.2 = -3.8 mm, y = -4.2 + 1.5 x 0.3 = -3.75 mm
     const double x = -3.8, y = -3.75;
-    check_near(distance(" 1 1\n 1 2 3 4 5 6\n", 1, 1),
-               x * x + 2 * x * y + 3 * y * y + 4 * x + 5 * y + 6,
-               1e-9,
-               "IBASE = 1");
-    check_near(distance(" 2 1\n 3 1 200 -4 0.5\n 1 2 4\n", 1, 1),
-               1.5 + (x - 1) * (x - 1) / 400,
-               1e-9,
-               "IBASE = 2, between its points");
-    check_near(distance(" 2 1\n 3 1 200 -3.5 0.5\n 1 2 4\n", 1, 1),
-               0.5 + (x - 1) * (x - 1) / 400,
-               1e-9,
-               "IBASE = 2, before them");
-    check_near(distance(" 2 1\n 3 1 200 -5 0.5\n 1 2 4\n", 1, 1),
-               5 + (x - 1) * (x - 1) / 400,
-               1e-9,
-               "IBASE = 2, behind them");
-    check_near(distance(" 3 1\n 0.1 2 3 0.2 5 6 700 800\n", 1, 1),
-               0.1 * std::sin(2 * (x - 3)) - 0.2 * std::sin(5 * (x - 6)) + x * x / 700 + y * y / 800,
-               1e-9,
-               "IBASE = 3");
-    check_near(distance(" 9 1\n 1 2 3 4 5 6\n", 1, 1), 5, 1e-9, "IBASE = 9");
-    check_near(distance(" 1 2\n 0 0 0 0 0 7\n 1 0 0 0 0 -14.5\n", 1, 1), 7, 1e-9, "IPLAN = 2, inside");
-    check(distance(" 1 2\n 0 0 0 0 0 7\n 1 0 0 0 0 -14.4\n", 1, 1) > 100, "IPLAN = 2, outside");
-    check_near(distance(" 1 3\n 0 0 0 0 0 7\n 0 1 0 1 -4 -3 -4 -3\n", 1, 1),
-               7,
-               1e-9,
-               "IPLAN = 3, inside the second rectangle");
-    check(distance(" 1 3\n 0 0 0 0 0 7\n 0 1 0 1 -4 -3 -3.7 -3\n", 1, 1) > 100, "IPLAN = 3, outside");
+    BOOST_TEST(near(distance(" 1 1\n 1 2 3 4 5 6\n", 1, 1),
+                    x * x + 2 * x * y + 3 * y * y + 4 * x + 5 * y + 6,
+                    1e-9,
+                    "IBASE = 1"));
+    BOOST_TEST(near(distance(" 2 1\n 3 1 200 -4 0.5\n 1 2 4\n", 1, 1),
+                    1.5 + (x - 1) * (x - 1) / 400,
+                    1e-9,
+                    "IBASE = 2, between its points"));
+    BOOST_TEST(near(distance(" 2 1\n 3 1 200 -3.5 0.5\n 1 2 4\n", 1, 1),
+                    0.5 + (x - 1) * (x - 1) / 400,
+                    1e-9,
+                    "IBASE = 2, before them"));
+    BOOST_TEST(near(distance(" 2 1\n 3 1 200 -5 0.5\n 1 2 4\n", 1, 1),
+                    5 + (x - 1) * (x - 1) / 400,
+                    1e-9,
+                    "IBASE = 2, behind them"));
+    BOOST_TEST(near(distance(" 3 1\n 0.1 2 3 0.2 5 6 700 800\n", 1, 1),
+                    0.1 * std::sin(2 * (x - 3)) - 0.2 * std::sin(5 * (x - 6)) + x * x / 700 + y * y / 800,
+                    1e-9,
+                    "IBASE = 3"));
+    BOOST_TEST(near(distance(" 9 1\n 1 2 3 4 5 6\n", 1, 1), 5, 1e-9, "IBASE = 9"));
+    BOOST_TEST(near(distance(" 1 2\n 0 0 0 0 0 7\n 1 0 0 0 0 -14.5\n", 1, 1), 7, 1e-9, "IPLAN = 2, inside"));
+    BOOST_TEST(distance(" 1 2\n 0 0 0 0 0 7\n 1 0 0 0 0 -14.4\n", 1, 1) > 100, "IPLAN = 2, outside");
+    BOOST_TEST(near(distance(" 1 3\n 0 0 0 0 0 7\n 0 1 0 1 -4 -3 -4 -3\n", 1, 1),
+                    7,
+                    1e-9,
+                    "IPLAN = 3, inside the second rectangle"));
+    BOOST_TEST(distance(" 1 3\n 0 0 0 0 0 7\n 0 1 0 1 -4 -3 -3.7 -3\n", 1, 1) > 100, "IPLAN = 3, outside");
   }
 
-  void
-  test_grids()
+  BOOST_AUTO_TEST_CASE(test_grids)
   {
     const std::string line =
       "    1                           IPOTCN\n   3    2    % mx, my\n  -4.1 -4.2  % xl, yl\n   0.2  0.3   "
@@ -92,15 +89,14 @@ namespace
       {
         const HalfspaceGrid grid =
           case_problem(first_case(replaced(replaced(basic, line, same), "180.d", "0"))).problem.grid;
-        check(std::abs(grid.x0 + 4e-3) < 1e-12 && std::abs(grid.y0 + 4.05e-3) < 1e-12 &&
-                std::abs(grid.dx - 0.2e-3) < 1e-12 && std::abs(grid.dy - 0.3e-3) < 1e-12,
-              std::string("the grid of IPOTCN =") + std::string(same).substr(0, 2));
+        BOOST_TEST((std::abs(grid.x0 + 4e-3) < 1e-12 && std::abs(grid.y0 + 4.05e-3) < 1e-12 &&
+                    std::abs(grid.dx - 0.2e-3) < 1e-12 && std::abs(grid.dy - 0.3e-3) < 1e-12),
+                   std::string("the grid of IPOTCN =") + std::string(same).substr(0, 2));
       }
   }
 
   /// Half a turn about the normal: what rolls to -x solves as what rolls to +x.
-  void
-  test_turned()
+  BOOST_AUTO_TEST_CASE(test_turned)
   {
     const std::string rows =
       "   9    1                       IBASE, IPLAN\n   1 2 3  heights\n   4 5\n\n   6 7 8\n";
@@ -113,17 +109,16 @@ namespace
     text                         = replaced(
       replaced(text, "180.d", "0"), " -0.0003 0.0002 1e-4 0.4 -0.7", " 0.0003 -0.0002 1e-4 -0.4 0.7");
     const HalfspaceSolution forward = solve_case(first_case(text)).solution;
-    check(back.converged() && forward.converged() && forward.fx < -1, "both directions converge");
-    check_relative(back.fx, -forward.fx, 1e-5, "longitudinal force, half a turn");
-    check_relative(back.fy, -forward.fy, 1e-5, "lateral force, half a turn");
-    check_relative(back.spin_moment, forward.spin_moment, 1e-5, "spin moment, half a turn");
+    BOOST_TEST((back.converged() && forward.converged() && forward.fx < -1), "both directions converge");
+    BOOST_TEST(near_relative(back.fx, -forward.fx, 1e-5, "longitudinal force, half a turn"));
+    BOOST_TEST(near_relative(back.fy, -forward.fy, 1e-5, "lateral force, half a turn"));
+    BOOST_TEST(near_relative(back.spin_moment, forward.spin_moment, 1e-5, "spin moment, half a turn"));
     const std::size_t e = 41 * 12 + 18;
-    check_relative(
-      back.traction_x[e], -forward.traction_x[41 * 27 - 1 - e], 1e-3, "traction of an element, half a turn");
+    BOOST_TEST(near_relative(
+      back.traction_x[e], -forward.traction_x[41 * 27 - 1 - e], 1e-3, "traction of an element, half a turn"));
   }
 
-  void
-  test_extra_slip()
+  BOOST_AUTO_TEST_CASE(test_extra_slip)
   {
     std::string text =
       replaced(basic, "   470.5, -0.00304, 0, 1e-4 ", "   470.5, -0.00304, 0, 1e-4 0.4 -0.7");
@@ -142,8 +137,8 @@ namespace
     const double x = -0.00304 - 1e-4 * (-3.75 + 0.7), y = 1e-4 * (-3.8 - 0.4 + 0.2 / 6);
     const auto   expect =
       [&](const std::vector<double> &found, const double wx, const double wy, const std::string &name) {
-        check_near(found[0], wx, 1e-12, name + ", w_x");
-        check_near(found[1], wy, 1e-12, name + ", w_y");
+        BOOST_TEST(near(found[0], wx, 1e-12, name + ", w_x"));
+        BOOST_TEST(near(found[1], wy, 1e-12, name + ", w_y"));
       };
     expect(slip('0', ""), x, y, "spin about another place");
     expect(slip('2', ""), x, 0, "E = 2");
@@ -152,8 +147,7 @@ namespace
   }
 
   /// Force given and approach given lead to each other; a force over friction with the approach given.
-  void
-  test_approach_and_force()
+  BOOST_AUTO_TEST_CASE(test_approach_and_force)
   {
     const std::vector<ContactCase> cases =
       read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp");
@@ -162,38 +156,39 @@ namespace
     one.digits.normal      = 0;
     one.kinematics.normal  = 1e3 * by_force.approach;
     const auto by_approach = solve_case(one).solution;
-    check_relative(by_approach.fn, by_force.fn, 1e-4, "the normal force of its approach");
-    check_relative(by_approach.fx, by_force.fx, 1e-4, "the force over friction, the approach given");
-    check_relative(by_approach.xi, by_force.xi, 1e-3, "and its creepage");
+    BOOST_TEST(near_relative(by_approach.fn, by_force.fn, 1e-4, "the normal force of its approach"));
+    BOOST_TEST(
+      near_relative(by_approach.fx, by_force.fx, 1e-4, "the force over friction, the approach given"));
+    BOOST_TEST(near_relative(by_approach.xi, by_force.xi, 1e-3, "and its creepage"));
   }
 
-  void
-  test_hertz()
+  BOOST_AUTO_TEST_CASE(test_hertz)
   {
     const double E = contact_modulus(80e9, 0.3, 80e9, 0.3);
-    check_relative(E, 80e9 / 0.7, 1e-12, "contact modulus of like bodies");
+    BOOST_TEST(near_relative(E, 80e9 / 0.7, 1e-12, "contact modulus of like bodies"));
     // a circle: p0^3 = 6 F E^2 / (pi^3 R^2), A = 1 / 2R
     const HertzContact circle = hertz_of_curvatures(1 / 0.8, 1 / 0.8, E, {true, 1e5});
-    check_relative(circle.peak_pressure,
-                   std::cbrt(6 * 1e5 * E * E / (std::pow(std::acos(-1.), 3) * 0.16)),
-                   1e-6,
-                   "peak pressure of a circle");
-    check_relative(circle.approach, circle.a * circle.a / 0.4, 1e-6, "its approach a^2 / R");
+    BOOST_TEST(near_relative(circle.peak_pressure,
+                             std::cbrt(6 * 1e5 * E * E / (std::pow(std::acos(-1.), 3) * 0.16)),
+                             1e-6,
+                             "peak pressure of a circle"));
+    BOOST_TEST(near_relative(circle.approach, circle.a * circle.a / 0.4, 1e-6, "its approach a^2 / R"));
     for (const double ratio : {0.2, 0.9999, 1.7, 6.})
       {
         const HertzContact a    = hertz_of_axes(ratio * 3e-3, 3e-3, E, {true, 5e4});
         const std::string  name = "an ellipse of a / b = " + std::to_string(ratio) + ": ";
-        check_relative(
-          hertz_of_curvatures(a.A, a.B, E, {false, a.approach}).force, 5e4, 1e-6, name + "force");
-        check_relative(
-          hertz_of_curvatures(a.A, a.B, E, {true, 5e4}).a, ratio * 3e-3, 1e-6, name + "axis along x");
-        check_relative(hertz_of_ratio(a.A, ratio, E, {true, 5e4}).b, 3e-3, 1e-6, name + "axis along y");
-        check_relative(hertz_of_axes(a.a, a.b, E, {false, a.approach}).B, a.B, 1e-9, name + "curvature");
+        BOOST_TEST(near_relative(
+          hertz_of_curvatures(a.A, a.B, E, {false, a.approach}).force, 5e4, 1e-6, name + "force"));
+        BOOST_TEST(near_relative(
+          hertz_of_curvatures(a.A, a.B, E, {true, 5e4}).a, ratio * 3e-3, 1e-6, name + "axis along x"));
+        BOOST_TEST(
+          near_relative(hertz_of_ratio(a.A, ratio, E, {true, 5e4}).b, 3e-3, 1e-6, name + "axis along y"));
+        BOOST_TEST(
+          near_relative(hertz_of_axes(a.a, a.b, E, {false, a.approach}).B, a.B, 1e-9, name + "curvature"));
       }
   }
 
-  void
-  test_pressure_given()
+  BOOST_AUTO_TEST_CASE(test_pressure_given)
   {
     std::string text = replaced(basic, "  203100 ", "  233100 ");
     text             = replaced(
@@ -202,68 +197,65 @@ namespace
                   "dx, dy\n   9    1                       IBASE, IPLAN\n   1 2 3  heights\n   4 5\n\n   6 7 8\n",
       " -3\n 61 61 4 2 1.05\n");
     const CaseSolution s = solve_case(first_case(text));
-    check_relative(s.solution.fn, 470.5, 2e-3, "force of a parabolic pressure");
-    check_relative(
-      s.solution.peak_pressure, 2e6 * 470.5 / (std::acos(-1.) * 4 * 2), 1e-9, "its peak 2 FN / (pi a b)");
-    check_relative(s.solution.approach, s.hertz->approach, 1e-12, "approach of Hertz");
+    BOOST_TEST(near_relative(s.solution.fn, 470.5, 2e-3, "force of a parabolic pressure"));
+    BOOST_TEST(near_relative(
+      s.solution.peak_pressure, 2e6 * 470.5 / (std::acos(-1.) * 4 * 2), 1e-9, "its peak 2 FN / (pi a b)"));
+    BOOST_TEST(near_relative(s.solution.approach, s.hertz->approach, 1e-12, "approach of Hertz"));
   }
 
   /// Cylinders by their curvature or length: the strip of Carter's printed case, pressure given.
-  void
-  test_strip()
+  BOOST_AUTO_TEST_CASE(test_strip)
   {
     ContactCase one      = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(0);
     one.grid.kind        = -4;
     one.grid.values      = {0.001, 100, 1.1};
     const CaseSolution s = solve_case(one);
-    check_relative(
-      s.hertz->a, std::sqrt(4 * 0.5 * 178.9e3 / (M_PI * 82e9 / 0.72)), 1e-9, "half length of a strip");
-    check_relative(s.hertz->peak_pressure, 113.9e6, 5e-4, "its peak pressure");
-    check_relative(s.solution.peak_pressure, 113.9e6, 5e-3, "solved");
-    check_relative(s.solution.fx, 6955, 1e-2, "its force");
+    BOOST_TEST(near_relative(
+      s.hertz->a, std::sqrt(4 * 0.5 * 178.9e3 / (M_PI * 82e9 / 0.72)), 1e-9, "half length of a strip"));
+    BOOST_TEST(near_relative(s.hertz->peak_pressure, 113.9e6, 5e-4, "its peak pressure"));
+    BOOST_TEST(near_relative(s.solution.peak_pressure, 113.9e6, 5e-3, "solved"));
+    BOOST_TEST(near_relative(s.solution.fx, 6955, 1e-2, "its force"));
     one.grid.kind   = -5;
     one.grid.values = {1e3 * s.hertz->a, 100, 1.1};
-    check_relative(solve_case(one).hertz->A, 1, 1e-9, "half curvature of a length");
+    BOOST_TEST(near_relative(solve_case(one).hertz->A, 1, 1e-9, "half curvature of a length"));
     one.grid.my            = 9; // of which 5 lie within
     one.grid.values.back() = 2;
-    check_text(
+    BOOST_TEST(same_text(
       refusals(one).at(0),
       one.file + ":" + std::to_string(one.grid.line) +
         ": IPOTCN = -5 (a strip) with rows beside it, SCALE > 1, and B = 0 is not computed; taken are "
         "SCALE <= 1, and B = 2 and 3",
-      "rows beside a strip");
+      "rows beside a strip"));
     for (const int bound : {2, 3})
       {
         one.digits.bound              = bound;
         const HalfspaceSolution given = solve_case(one).solution;
-        check_relative(given.fn, 35780, 5e-3, "force of a given pressure");
-        check_relative(given.grid.dy, 40e-3, 1e-9, "five rows in 200 mm");
-        check_near(given.width_y, 200e-3, 1e-9, "and the others do not touch");
+        BOOST_TEST(near_relative(given.fn, 35780, 5e-3, "force of a given pressure"));
+        BOOST_TEST(near_relative(given.grid.dy, 40e-3, 1e-9, "five rows in 200 mm"));
+        BOOST_TEST(near(given.width_y, 200e-3, 1e-9, "and the others do not touch"));
       }
   }
 
   /// A surface that is inclined across (C = 4), by places and angles; rolling to -x its rows turn, too.
-  void
-  test_inclined_surface()
+  BOOST_AUTO_TEST_CASE(test_inclined_surface)
   {
     const std::string text = replaced(
       replaced(basic, "  022020 ", "  024020 "), "   .28     .27 ", " 1 3 2\n -4.2 -6d\n -3.6 6d\n .28 .27 ");
     // rows at y = -4.05 and -3.75, after half a turn the other way round
     const std::vector<double> angles = case_problem(first_case(text)).angles;
-    check(angles.size() == 2, "two rows");
-    check_relative(angles.at(0), -3 * M_PI / 180, 1e-9, "the inclination of one");
-    check_relative(angles.at(1), 3 * M_PI / 180, 1e-9, "and of the other");
+    BOOST_TEST(angles.size() == 2, "two rows");
+    BOOST_TEST(near_relative(angles.at(0), -3 * M_PI / 180, 1e-9, "the inclination of one"));
+    BOOST_TEST(near_relative(angles.at(1), 3 * M_PI / 180, 1e-9, "and of the other"));
     // little inclined it is a plane
     ContactCase  one     = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(6);
     const double plane   = solve_case(one).solution.peak_pressure;
     one.digits.influence = 4;
     one.influence        = {1, 3, {{-1, 0}, {1, 1e-9}}, "", 1};
-    check_relative(solve_case(one).solution.peak_pressure, plane, 1e-4, "a plane");
+    BOOST_TEST(near_relative(solve_case(one).solution.peak_pressure, plane, 1e-4, "a plane"));
   }
 
   /// Rows of friction rolling to -x and to +x; a force over FN alone.
-  void
-  test_friction_of_rows()
+  BOOST_AUTO_TEST_CASE(test_friction_of_rows)
   {
     ContactCase one = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(22);
     const HalfspaceSolution forward = solve_case(one).solution;
@@ -271,14 +263,14 @@ namespace
     one.kinematics.x                = -one.kinematics.x;
     std::reverse(one.friction.lines.begin(), one.friction.lines.end());
     const HalfspaceSolution back = solve_case(one).solution;
-    check_relative(back.fx, -forward.fx, 1e-6, "friction of rows, half a turn");
+    BOOST_TEST(near_relative(back.fx, -forward.fx, 1e-6, "friction of rows, half a turn"));
     one.digits.forces = 1;
     one.kinematics.x  = 0.1;
-    check_relative(solve_case(one).solution.fx, 0.1 * 0.4705, 1e-6, "FX over FN where friction differs");
+    BOOST_TEST(
+      near_relative(solve_case(one).solution.fx, 0.1 * 0.4705, 1e-6, "FX over FN where friction differs"));
   }
 
-  void
-  test_friction_laws()
+  BOOST_AUTO_TEST_CASE(test_friction_laws)
   {
     const auto law = [](const char digit) {
       const std::string text = replaced(basic, "  022020 ", std::string("  ") + digit + "22020 ");
@@ -288,34 +280,33 @@ namespace
     for (const double v : {0., 0.3, 2.5}) // m/s; SH1 = 0.5, SH2 = 0.9
       {
         const std::string at = " at " + std::to_string(v) + " m/s";
-        check_near(law('2').at(v),
-                   0.2 + 0.1 * std::max(0., 1 - v) + 0.05 * std::max(0., 1 - v / 1.8),
-                   1e-12,
-                   "L = 2" + at);
-        check_near(
-          law('3').at(v), 0.2 + 0.1 / (1 + v / 0.5) + 0.05 / (1 + v * v / 0.81), 1e-12, "L = 3" + at);
-        check_near(law('4').at(v),
-                   0.2 + 0.1 * std::pow(2, -v / 0.5) + 0.05 * std::pow(2, -v / 0.9),
-                   1e-12,
-                   "L = 4" + at);
+        BOOST_TEST(near(law('2').at(v),
+                        0.2 + 0.1 * std::max(0., 1 - v) + 0.05 * std::max(0., 1 - v / 1.8),
+                        1e-12,
+                        "L = 2" + at));
+        BOOST_TEST(
+          near(law('3').at(v), 0.2 + 0.1 / (1 + v / 0.5) + 0.05 / (1 + v * v / 0.81), 1e-12, "L = 3" + at));
+        BOOST_TEST(near(law('4').at(v),
+                        0.2 + 0.1 * std::pow(2, -v / 0.5) + 0.05 * std::pow(2, -v / 0.9),
+                        1e-12,
+                        "L = 4" + at));
       }
     for (const char digit : {'2', '3', '4'})
       {
         const FrictionLaw one = law(digit);
-        check(one.valid() && one.depends_on_speed() && std::abs(one.largest() - 0.35) < 1e-12,
-              "the largest coefficient is that at rest");
-        check_near(
-          one.with_rest(0.7).at(0.4), 2 * one.at(0.4), 1e-12, "the same shape from another coefficient");
+        BOOST_TEST((one.valid() && one.depends_on_speed() && std::abs(one.largest() - 0.35) < 1e-12),
+                   "the largest coefficient is that at rest");
+        BOOST_TEST(near(
+          one.with_rest(0.7).at(0.4), 2 * one.at(0.4), 1e-12, "the same shape from another coefficient"));
         double steepest = 0;
         for (double v = 0; v < 3; v += 1e-3)
           steepest = std::max(steepest, (one.at(v) - one.at(v + 1e-6)) / 1e-6);
-        check(one.steepest_fall() >= 0.999 * steepest && one.steepest_fall() < 1.25 * steepest,
-              "steepest fall");
+        BOOST_TEST((one.steepest_fall() >= 0.999 * steepest && one.steepest_fall() < 1.25 * steepest),
+                   "steepest fall");
       }
   }
 
-  void
-  test_refused_values()
+  BOOST_AUTO_TEST_CASE(test_refused_values)
   {
     const auto expect = [](const std::vector<std::pair<std::string, std::string>> &changes,
                            const std::string                                      &expected) {
@@ -324,7 +315,7 @@ namespace
         text = replaced(text, from, to);
       for (const std::string &sentence : refusals(first_case(text)))
         found += sentence;
-      check_text(found, "x.inp:" + expected, expected.substr(0, 30));
+      BOOST_TEST(same_text(found, "x.inp:" + expected, expected.substr(0, 30)));
     };
     expect({{"  022020 ", "  022320 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 1 1 1"}},
            "4: M = 3 (FASTSIM) on a contact that is no ellipse is not computed; taken are IPOTCN = "
@@ -342,21 +333,3 @@ namespace
            "smaller ones, and creepages of any size");
   }
 } // namespace
-
-int
-main()
-{
-  test_distances();
-  test_grids();
-  test_turned();
-  test_extra_slip();
-  test_approach_and_force();
-  test_hertz();
-  test_pressure_given();
-  test_strip();
-  test_inclined_surface();
-  test_friction_of_rows();
-  test_friction_laws();
-  test_refused_values();
-  return test::report();
-}

@@ -3,7 +3,7 @@
 
 #include <wheelrail/solid/stress_recovery.h>
 
-#include "check.h"
+#include "parallel.h"
 #include "scenes/contact.h"
 
 #include <algorithm>
@@ -83,8 +83,7 @@ namespace
     double          gravity = 0, largest_force = 0;
   };
 
-  void
-  rebound()
+  BOOST_FIXTURE_TEST_CASE(rebound, test::Parallel)
   {
     for (const double damping : {0., 0.3})
       {
@@ -107,16 +106,15 @@ namespace
         std::cout << "        contact for " << 1e6 * (leave - touch) << " us, force up to "
                   << 1e-3 * ball.largest_force << " kN, rebound " << out / speed << ", waves left "
                   << left / kinetic << ", damping " << ball.pair.damping_energy / kinetic << std::endl;
-        check_near(out / speed, 1, 0.01, name + "rebound speed");
-        check_near((0.5 * ball.mass * out * out + left + ball.pair.damping_energy) / kinetic,
-                   1,
-                   0.01,
-                   name + "energy");
+        BOOST_TEST(near(out / speed, 1, 0.01, name + "rebound speed"));
+        BOOST_TEST(near((0.5 * ball.mass * out * out + left + ball.pair.damping_energy) / kinetic,
+                        1,
+                        0.01,
+                        name + "energy"));
       }
   }
 
-  void
-  bounces()
+  BOOST_FIXTURE_TEST_CASE(bounces, test::Parallel)
   {
     BallOnBlock  ball(0.3);
     const double speed = 0.3, flight = 150e-6;
@@ -135,12 +133,11 @@ namespace
         before = v;
       }
     for (std::size_t k = 1; k < tops.size(); ++k)
-      check_near(
-        tops[k] / height, 1, 0.02 * k, "bounce " + std::to_string(k) + ": height over that of the start");
+      BOOST_TEST(near(
+        tops[k] / height, 1, 0.02 * k, "bounce " + std::to_string(k) + ": height over that of the start"));
   }
 
-  void
-  overlap()
+  BOOST_FIXTURE_TEST_CASE(overlap, test::Parallel)
   {
     BallOnBlock ball(0.3);
     ball.pair.wheel.move = {0, -2e-6, 0};
@@ -156,11 +153,11 @@ namespace
                            0.5 * ball.mass * v * v + ball.pair.sums.stored_energy + ball.pair.damping_energy;
         worst = std::max(worst, sum / stored);
       }
-    check(stored > 0, "the ball starts inside the block");
-    check(worst > 0.9 && worst < 1.001,
-          "overlap at the start: energy never above that of the springs at the start: " +
-            std::to_string(worst));
-    check(ball.pair.sums.nodes == 0 && ball.pair.wheel.velocity[1] > 0, "and the ball leaves");
+    BOOST_TEST(stored > 0, "the ball starts inside the block");
+    BOOST_TEST((worst > 0.9 && worst < 1.001),
+               "overlap at the start: energy never above that of the springs at the start: " +
+                 std::to_string(worst));
+    BOOST_TEST((ball.pair.sums.nodes == 0 && ball.pair.wheel.velocity[1] > 0), "and the ball leaves");
   }
 
   // --- rigid surfaces, moved by hand -------------------------------------------------------------
@@ -213,8 +210,7 @@ namespace
     std::vector<double> u, v;
   };
 
-  void
-  million_updates()
+  BOOST_FIXTURE_TEST_CASE(million_updates, test::Parallel)
   {
     RigidPair     pair(10, 1, 0.4, 1);
     constexpr int cycle = 1000, cycles = 1000;
@@ -236,18 +232,17 @@ namespace
           first = last;
         closure = std::max(closure, c > 1 ? norm(last - first) / norm(first) : 0.);
       }
-    check(norm(first) > 0, "the pair is loaded");
-    check_near(closure, 0, 1e-9, "a million updates: forces at the end of every cycle");
+    BOOST_TEST(norm(first) > 0, "the pair is loaded");
+    BOOST_TEST(near(closure, 0, 1e-9, "a million updates: forces at the end of every cycle"));
   }
 
-  void
-  border()
+  BOOST_FIXTURE_TEST_CASE(border, test::Parallel)
   {
     RigidPair small(10, 12, 0.4, 4e-3), large(10, 12, 0.4, 11e-3);
     // 4 um of overlap: a patch of radius sqrt(2 r d) = 8.9 mm
-    check(small.move({0, -4e-6, 0}, {}, 1e-7).at_border, "a patch wider than the window is told");
-    check(!large.move({0, -4e-6, 0}, {}, 1e-7).at_border, "one that fits is not");
-    check(large.move({0, -7e-6, 0}, {}, 1e-7).at_border, "until it has grown to the border");
+    BOOST_TEST(small.move({0, -4e-6, 0}, {}, 1e-7).at_border, "a patch wider than the window is told");
+    BOOST_TEST(!large.move({0, -4e-6, 0}, {}, 1e-7).at_border, "one that fits is not");
+    BOOST_TEST(large.move({0, -7e-6, 0}, {}, 1e-7).at_border, "until it has grown to the border");
   }
 
   // --- two plates pressed together ---------------------------------------------------------------
@@ -298,8 +293,7 @@ namespace
   /// Nodes on nodes, and nodes on coarser facets whose lines coincide with theirs, pass; where the lines do
   /// not coincide the pressure is uneven, which is why the program gives both bodies the same lattice. Nodes
   /// on finer facets leave some of those without load, which is no sound use (doc/theory/contact.md).
-  void
-  patch_tests()
+  BOOST_FIXTURE_TEST_CASE(patch_tests, test::Parallel)
   {
     struct Row
     {
@@ -312,22 +306,9 @@ namespace
                                  " on " + std::to_string(1e3 * row.wheel).substr(0, 3) + " mm: ";
         std::cout << "        " << name << "pressure off by " << 100 * result.pressure << " %, stress by "
                   << 100 * result.stress << " %" << std::endl;
-        check_near(result.force, 0, 1e-4, name + "total force");
-        check_near(result.pressure, 0, row.limit, name + "uniform pressure");
-        check_near(result.stress, 0, row.limit, name + "uniform stress");
+        BOOST_TEST(near(result.force, 0, 1e-4, name + "total force"));
+        BOOST_TEST(near(result.pressure, 0, row.limit, name + "uniform pressure"));
+        BOOST_TEST(near(result.stress, 0, row.limit, name + "uniform stress"));
       }
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Program program(argc, argv);
-  rebound();
-  bounces();
-  overlap();
-  million_updates();
-  border();
-  patch_tests();
-  return report();
-}

@@ -2,7 +2,7 @@
 // Two elastic bodies pressed together and sheared, then sheared back: partial slip after Cattaneo (1938),
 // Mindlin (1949) and, on the way back, Mindlin and Deresiewicz (1953).
 
-#include "check.h"
+#include "parallel.h"
 #include "scenes/contact.h"
 
 #include <algorithm>
@@ -159,14 +159,14 @@ namespace
     std::cout << "        " << 1e3 * cell << " mm, " << mesh.cells.size() << " cells, load "
               << 1e-3 * there.load << " kN, Q/(mu N) " << there.ratio << ", a " << 1e3 * h.a
               << " mm, stick radius " << 1e3 * c << " mm" << std::endl;
-    check(std::abs(there.ratio) > 0.3 && std::abs(there.ratio) < 0.9, "partial slip");
-    check_near(pair.sums.largest_pressure / h.peak, 1, 0.02, "peak pressure over Hertz's");
+    BOOST_TEST((std::abs(there.ratio) > 0.3 && std::abs(there.ratio) < 0.9), "partial slip");
+    BOOST_TEST(near(pair.sums.largest_pressure / h.peak, 1, 0.02, "peak pressure over Hertz's"));
     const double found = there.stick_radius(
       [&](const ContactNode &node) { return friction * node.pressure - sign * node.traction[2]; });
-    check_near(found / c, 1, 0.03, "stick radius over Cattaneo's");
+    BOOST_TEST(near(found / c, 1, 0.03, "stick radius over Cattaneo's"));
     const auto loaded =
       there.norms([&](const double r) { return sign * mu_p * (ellipse(r, h.a) - ellipse(r, c)); });
-    check_near(loaded[0] / loaded[1], 0, limit, "shear traction, L2 error");
+    BOOST_TEST(near(loaded[0] / loaded[1], 0, limit, "shear traction, L2 error"));
     std::vector<Vector3> before;
     for (const ContactNode &node : pair.contact.nodes())
       before.push_back(node.traction);
@@ -176,26 +176,24 @@ namespace
     const double     b = h.a * std::cbrt(1 - std::abs(there.ratio - again.ratio) / 2);
     std::cout << "        sheared back: Q/(mu N) " << again.ratio << ", stick radius " << 1e3 * b << " mm"
               << std::endl;
-    check(sign * again.ratio < 0.3 * std::abs(there.ratio), "most of the force is taken back");
+    BOOST_TEST(sign * again.ratio < 0.3 * std::abs(there.ratio), "most of the force is taken back");
     const double found_back = again.stick_radius([&](const ContactNode &node) {
       const double first = sign * before[&node - pair.contact.nodes().data()][2];
       return 2 * friction * node.pressure - (first - sign * node.traction[2]);
     });
-    check_near(found_back / b, 1, 0.03, "sheared back: stick radius over Mindlin and Deresiewicz'");
+    BOOST_TEST(near(found_back / b, 1, 0.03, "sheared back: stick radius over Mindlin and Deresiewicz'"));
     const auto returned = again.norms([&](const double r) {
       return sign * mu_p * (ellipse(r, h.a) - ellipse(r, c) - 2 * ellipse(r, h.a) + 2 * ellipse(r, b));
     });
     // the edge of the patch slips back from bound to bound: twice the traction, twice the error
-    check_near(returned[0] / loaded[1], 0, 2 * limit, "sheared back: shear traction, L2 error");
+    BOOST_TEST(near(returned[0] / loaded[1], 0, 2 * limit, "sheared back: shear traction, L2 error"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(contact_cattaneo, test::Parallel)
 {
-  Program program(argc, argv);
   // without the filter the kink at the stick radius and the edge of the patch are as wide as a cell
   shear_and_back(1e-3, false, 0.07);
   shear_and_back(1e-3, true, 0.05);
-  return report();
 }

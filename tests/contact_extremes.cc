@@ -1,8 +1,8 @@
 // Light and heavy loads, bodies of different stiffness, a first touch at full speed, and cells that change
 // their size beside and inside the patch.
 
-#include "check.h"
 #include "error_of.h"
+#include "parallel.h"
 #include "scenes/hertz_scene.h"
 #include "scenes/rolling_pair.h"
 
@@ -21,8 +21,7 @@ using namespace test;
 namespace
 {
   /// The patch of 1 kN is three cells long and two wide, that of 300 kN twenty and fifteen.
-  void
-  loads()
+  BOOST_FIXTURE_TEST_CASE(loads, test::Parallel)
   {
     struct Row
     {
@@ -34,17 +33,17 @@ namespace
         const HertzRun    run  = run_hertz(HertzShape::ellipse, 1e-3, 10, true, row.load);
         const std::string name = std::to_string(std::lround(1e-3 * row.load)) + " kN: ";
         std::cout << hertz_row(HertzShape::ellipse, 1e-3, 10, &run) << "  " << name << std::endl;
-        check_near(run.force, 0, 1e-4, name + "the contact carries the load");
-        check_near(run.peak, 0, row.peak, name + "peak pressure");
-        check_near(run.approach, 0, row.approach, name + "approach");
+        BOOST_TEST(near(run.force, 0, 1e-4, name + "the contact carries the load"));
+        BOOST_TEST(near(run.peak, 0, row.peak, name + "peak pressure"));
+        BOOST_TEST(near(run.approach, 0, row.approach, name + "approach"));
         // size: mean radius of the patch in cells
-        check_near((std::sqrt(1 + run.area) - 1) * row.size, 0, 0.1, name + "edge of the patch in cells");
+        BOOST_TEST(
+          near((std::sqrt(1 + run.area) - 1) * row.size, 0, 0.1, name + "edge of the patch in cells"));
       }
   }
 
   /// A steel ball on a ball of aluminium, pressed together without friction; quarters of both.
-  void
-  different_stiffness()
+  BOOST_FIXTURE_TEST_CASE(different_stiffness, test::Parallel)
   {
     constexpr double      radius = 0.46, cell = 1e-3, fine = 10e-3, descent = 85e-6, ramp = 80e-6;
     const RunningSurfaces surfaces = wheel_on_plane(radius, radius, 50e-3);
@@ -86,15 +85,15 @@ namespace
     const PatchMeasures measures = measure_patch(pair.patch());
     std::cout << "        steel on aluminium, " << 1e-3 * pair.sums.force[1] << " kN, a " << 1e3 * exact.a
               << " mm, " << mesh.cells.size() << " cells, " << scene.steps() << " steps" << std::endl;
-    check(!pair.sums.at_border, "steel on aluminium: the patch lies in the fine cells");
-    check_near(
-      measures.peak_pressure / exact.peak, 1, 0.015, "steel on aluminium: peak pressure over Hertz's");
-    check_near(measures.area / (M_PI * exact.a * exact.b), 1, 0.02, "steel on aluminium: area over Hertz's");
+    BOOST_TEST(!pair.sums.at_border, "steel on aluminium: the patch lies in the fine cells");
+    BOOST_TEST(
+      near(measures.peak_pressure / exact.peak, 1, 0.015, "steel on aluminium: peak pressure over Hertz's"));
+    BOOST_TEST(
+      near(measures.area / (M_PI * exact.a * exact.b), 1, 0.02, "steel on aluminium: area over Hertz's"));
   }
 
   /// The wheel rolls at 40 m/s with a creepage beyond saturation and is set down at up to 1 m/s.
-  void
-  touch_at_speed()
+  BOOST_FIXTURE_TEST_CASE(touch_at_speed, test::Parallel)
   {
     RollingPairSetup setup;
     setup.friction            = {0.5};
@@ -107,12 +106,12 @@ namespace
     const double         load = run.force[1] / setup.cell, modulus = 210e9 / (2 * (1 - 0.3 * 0.3));
     std::cout << "        set down at full speed: " << 1e-3 * load << " N/mm, F/(mu N) "
               << run.force[2] / (0.5 * run.force[1]) << ", noise " << run.noise << std::endl;
-    check_near(run.force[2] / (0.5 * run.force[1]), 1, 0.002, "set down at full speed: full sliding");
-    check_near(run.peak / std::sqrt(load * modulus / (M_PI * setup.radius)),
-               1,
-               0.02,
-               "set down at full speed: peak pressure over Hertz's");
-    check_near(run.energy_error, 0, 0.01, "set down at full speed: friction and springs against work");
+    BOOST_TEST(near(run.force[2] / (0.5 * run.force[1]), 1, 0.002, "set down at full speed: full sliding"));
+    BOOST_TEST(near(run.peak / std::sqrt(load * modulus / (M_PI * setup.radius)),
+                    1,
+                    0.02,
+                    "set down at full speed: peak pressure over Hertz's"));
+    BOOST_TEST(near(run.energy_error, 0, 0.01, "set down at full speed: friction and springs against work"));
   }
 
   // --- cells of two sizes -------------------------------------------------------------------------
@@ -168,8 +167,7 @@ namespace
     ContactPair     pair;
   };
 
-  void
-  jump_in_the_patch()
+  BOOST_FIXTURE_TEST_CASE(jump_in_the_patch, test::Parallel)
   {
     constexpr double edge = 4e-3;
     TwoSizes         jump(edge), even(TwoSizes::across);
@@ -178,8 +176,8 @@ namespace
         jump.scene.step();
         even.scene.step();
       }
-    check(jump.pair.sums.at_border && !even.pair.sums.at_border,
-          "a patch that comes to the change of cell size is told");
+    BOOST_TEST((jump.pair.sums.at_border && !even.pair.sums.at_border),
+               "a patch that comes to the change of cell size is told");
     const Lattice &lattice = jump.pair.contact.lattice(), &whole = even.pair.contact.lattice();
     double         largest = 0, hanging = 0, distance = 0;
     for (unsigned int i = 0; i < lattice.n_along; ++i)
@@ -199,12 +197,12 @@ namespace
     std::cout << "        told at " << 1e-3 * jump.pair.sums.force[1] << " kN, peak " << 1e-6 * peak
               << " MPa, pressures off by up to " << 100 * largest / peak << " % of it, " << 1e3 * distance
               << " mm from the change" << std::endl;
-    check(hanging == 0, "before a hanging node is loaded");
-    check_near(
-      jump.pair.sums.largest_pressure / peak, 1, 0.01, "until then the coarse cells hardly change the peak");
-    check(largest < 0.05 * peak && distance < 2.1 * TwoSizes::fine,
-          "they change pressures beside them by less than a twentieth of it");
-    check_near(jump.pair.sums.force[1] / even.pair.sums.force[1], 1, 0.005, "nor the force");
+    BOOST_TEST(hanging == 0, "before a hanging node is loaded");
+    BOOST_TEST(near(
+      jump.pair.sums.largest_pressure / peak, 1, 0.01, "until then the coarse cells hardly change the peak"));
+    BOOST_TEST((largest < 0.05 * peak && distance < 2.1 * TwoSizes::fine),
+               "they change pressures beside them by less than a twentieth of it");
+    BOOST_TEST(near(jump.pair.sums.force[1] / even.pair.sums.force[1], 1, 0.005, "nor the force"));
 
     // what would come of going on: no facets beyond the edge, so the load there is lost
     while (jump.scene.time() < 300e-6)
@@ -215,31 +213,18 @@ namespace
     const double lost = 1 - jump.pair.sums.force[1] / even.pair.sums.force[1];
     std::cout << "        going on to " << 1e-3 * even.pair.sums.force[1] << " kN would lose " << 100 * lost
               << " % of the force" << std::endl;
-    check(lost > 0.005 && std::isfinite(jump.pair.sums.largest_pressure), "going on would lose force");
+    BOOST_TEST((lost > 0.005 && std::isfinite(jump.pair.sums.largest_pressure)), "going on would lose force");
   }
 
   /// Lattices with nodes where the mesh has only coarse cells are refused.
-  void
-  holes()
+  BOOST_FIXTURE_TEST_CASE(holes, test::Parallel)
   {
     const RunningSurfaces surfaces = wheel_on_plane(0.92, 0.6, 30e-3);
     const std::string     message  = test::error_of<RunError>([&]() {
       make_surface(
         TwoSizes::mesh(4e-3), Body::rail, surfaces, TwoSizes::lattice(TwoSizes::across), MPI_COMM_SELF);
     });
-    check(message.find("the fine zone of the rail has a hole at station") != std::string::npos,
-          "coarse cells under the lattice are refused: " + message);
+    BOOST_TEST((message.find("the fine zone of the rail has a hole at station") != std::string::npos),
+               "coarse cells under the lattice are refused: " + message);
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Program program(argc, argv);
-  loads();
-  different_stiffness();
-  touch_at_speed();
-  jump_in_the_patch();
-  holes();
-  return report();
-}

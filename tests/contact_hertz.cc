@@ -1,7 +1,7 @@
 // Hertz's point, ellipse and line contact, relaxed with the explicit scheme: errors against the exact
 // solution at 2 and 1 mm cells, and the loss of pressure by the penalty layer.
 
-#include "check.h"
+#include "parallel.h"
 #include "scenes/hertz_scene.h"
 
 #include <cmath>
@@ -26,21 +26,22 @@ namespace
   cells(const HertzShape shape, const std::string &name)
   {
     const HertzRun coarse = run(shape, 2e-3, 10), fine = run(shape, 1e-3, 10);
-    check_near(fine.force, 0, 1e-4, name + ": the contact carries the load");
-    check_near(coarse.peak, 0, 0.015, name + ", 2 mm: peak pressure");
-    check_near(fine.peak, 0, 0.01, name + ", 1 mm: peak pressure");
+    BOOST_TEST(near(fine.force, 0, 1e-4, name + ": the contact carries the load"));
+    BOOST_TEST(near(coarse.peak, 0, 0.015, name + ", 2 mm: peak pressure"));
+    BOOST_TEST(near(fine.peak, 0, 0.01, name + ", 1 mm: peak pressure"));
     if (shape != HertzShape::line)
-      check_near(fine.approach, 0, 0.01, name + ", 1 mm: approach");
-    check_near(coarse.area, 0, 0.02, name + ", 2 mm: area or width");
-    check_near(fine.area, 0, 0.02, name + ", 1 mm: area or width");
-    check_near(fine.mises, 0, 0.02, name + ", 1 mm: largest von Mises stress");
+      BOOST_TEST(near(fine.approach, 0, 0.01, name + ", 1 mm: approach"));
+    BOOST_TEST(near(coarse.area, 0, 0.02, name + ", 2 mm: area or width"));
+    BOOST_TEST(near(fine.area, 0, 0.02, name + ", 1 mm: area or width"));
+    BOOST_TEST(near(fine.mises, 0, 0.02, name + ", 1 mm: largest von Mises stress"));
     if (shape == HertzShape::point) // Johnson, Contact Mechanics (1985), equation 3.43: -(1 + 2 nu)/2
-      check_near(fine.surface, -0.8, 0.03, name + ", 1 mm: stress along the surface over the peak pressure");
+      BOOST_TEST(
+        near(fine.surface, -0.8, 0.03, name + ", 1 mm: stress along the surface over the peak pressure"));
     // the penalty layer, of first order, takes its share of the stress too
-    check(std::abs(fine.peak) < 0.7 * std::abs(coarse.peak) &&
-            std::abs(fine.mises) < 0.75 * std::abs(coarse.mises) &&
-            std::abs(fine.depth) < 0.5 * std::abs(coarse.depth),
-          name + ": smaller cells are better");
+    BOOST_TEST((std::abs(fine.peak) < 0.7 * std::abs(coarse.peak) &&
+                std::abs(fine.mises) < 0.75 * std::abs(coarse.mises) &&
+                std::abs(fine.depth) < 0.5 * std::abs(coarse.depth)),
+               name + ": smaller cells are better");
   }
 
   /// What the surface filter is for: the area of patches that are a few cells wide.
@@ -48,8 +49,8 @@ namespace
   without_filter()
   {
     const HertzRun with = run(HertzShape::point, 2e-3, 10), without = run(HertzShape::point, 2e-3, 10, false);
-    check(std::abs(with.area) < 0.3 * std::abs(without.area), "2 mm: the filter mends the area");
-    check(std::abs(with.peak) < 0.7 * std::abs(without.peak), "2 mm: and the peak pressure");
+    BOOST_TEST(std::abs(with.area) < 0.3 * std::abs(without.area), "2 mm: the filter mends the area");
+    BOOST_TEST(std::abs(with.peak) < 0.7 * std::abs(without.peak), "2 mm: and the peak pressure");
   }
 
   /// A half-space solver with the layer loses this much of the peak pressure (ellipse, 1 mm cells).
@@ -66,17 +67,16 @@ namespace
       {
         const HertzRun    result = run(HertzShape::ellipse, 1e-3, row.scale);
         const std::string name   = "f = " + std::to_string(row.scale).substr(0, 4);
-        check_near(
-          (1 + result.peak) / (1 + row.peak), 1, 0.005, name + ": peak pressure over the half-space's");
-        check_near((1 + result.area) / (1 + row.area), 1, 0.03, name + ": area over the half-space's");
+        BOOST_TEST(
+          near((1 + result.peak) / (1 + row.peak), 1, 0.005, name + ": peak pressure over the half-space's"));
+        BOOST_TEST(near((1 + result.area) / (1 + row.area), 1, 0.03, name + ": area over the half-space's"));
       }
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(contact_hertz, test::Parallel)
 {
-  Program program(argc, argv);
   std::cout << hertz_row(HertzShape::point, 0, 0, nullptr) << std::endl;
   cells(HertzShape::line, "line");
   without_filter();
@@ -86,5 +86,4 @@ main(int argc, char **argv)
       cells(HertzShape::ellipse, "ellipse");
       penalty_sweep();
     }
-  return report();
 }

@@ -13,8 +13,8 @@
 
 using namespace wheelrail;
 using test::basic;
-using test::check_text;
 using test::replaced;
+using test::same_text;
 using test::wheel_rail;
 
 namespace
@@ -45,7 +45,7 @@ namespace
             text = replaced(text, from, to);
             name += (name.empty() ? "" : ", ") + ("\"" + to + "\"");
           }
-        check_text(message_of(text), "x.inp:" + fault.expected, name);
+        BOOST_TEST(same_text(message_of(text), "x.inp:" + fault.expected, name));
       }
   }
 
@@ -53,36 +53,37 @@ namespace
   void
   test_files_that_are_none()
   {
-    check_text(test::message_of([]() { read_inp_file("nothing.inp"); }),
-               "The file \"nothing.inp\" cannot be read: No such file or directory. An input file of CONTACT "
-               "(.inp) is needed.",
-               "a file that is not there");
+    BOOST_TEST(same_text(
+      test::message_of([]() { read_inp_file("nothing.inp"); }),
+      "The file \"nothing.inp\" cannot be read: No such file or directory. An input file of CONTACT "
+      "(.inp) is needed.",
+      "a file that is not there"));
   }
 
   void
   test_files_cut_off()
   {
-    check_text(
+    BOOST_TEST(same_text(
       message_of(""),
       "x.inp:1: the file ends without the line \"0 MODULE\"; it is cut off, or that line is missing behind "
       "the last case",
-      "an empty file");
-    check_text(
+      "an empty file"));
+    BOOST_TEST(same_text(
       message_of(basic.substr(0, basic.find(" -3\n"))),
       "x.inp:34: the file ends within case 3, where IPOTCN should follow; it is cut off, or a digit asks for "
       "values that are not there",
-      "a file that is cut off");
-    check_text(
+      "a file that is cut off"));
+    BOOST_TEST(same_text(
       message_of(basic.substr(0, basic.find("   6 7 8"))),
       "x.inp:17: the file ends within case 1, where the undeformed distance of IBASE = 9 should follow; it "
       "is cut off, or a digit asks for values that are not there",
-      "one that is cut off within an array");
-    check_text(
+      "one that is cut off within an array"));
+    BOOST_TEST(same_text(
       message_of(
         replaced(basic, "   470.5, -0.00304, 0", "   470.5, -0.00304" + std::string(250, ' ') + "0")),
       "x.inp:7: CETA stands behind the 256 characters that CONTACT reads of a line; write the values in "
       "several lines",
-      "a long line");
+      "a long line"));
   }
 
   void
@@ -383,8 +384,8 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(contact_inp_faults)
 {
   test::make_profiles();
   test_files_that_are_none();
@@ -393,5 +394,4 @@ main()
   test_faults_of_digits();
   test_faults_of_several_digits();
   test_faults_of_values();
-  return test::report();
 }

@@ -12,10 +12,9 @@
 #include <sstream>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
+using test::near;
 using test::quadratic_distance;
+using test::same_text;
 
 namespace
 {
@@ -63,23 +62,21 @@ namespace
     return text;
   }
 
-  void
-  test_control_lines()
+  BOOST_AUTO_TEST_CASE(test_control_lines)
   {
     const auto                     lines = read_lines(contact_input(ellipse(true), "two lines\nof a title"));
     const std::vector<std::string> expected = split_list(
       "3, 203110, 022029, 0001211, 999 200 50 1 1e-06, 100000 -0.5 0 0, 0.5 0.5, 0d 0.5 30000, 0.3 0.3 "
       "80769.2308 80769.2308, 1, 29 25 -7.25 -6.25 0.5 0.5, 9 1");
     for (std::size_t i = 0; i < expected.size(); ++i)
-      check_text(joined(lines[i]), expected[i], "line " + std::to_string(i + 1));
-    check_text(joined(lines.back()), "0", "last line");
+      BOOST_TEST(same_text(joined(lines[i]), expected[i], "line " + std::to_string(i + 1)));
+    BOOST_TEST(same_text(joined(lines.back()), "0", "last line"));
     const auto given = read_lines(contact_input(ellipse(false), ""));
-    check_text(joined(given[1]), "203100", "control digits with a creepage");
-    check_text(joined(given[5]), "100000 0.001 0 0", "kinematics with a creepage");
+    BOOST_TEST(same_text(joined(given[1]), "203100", "control digits with a creepage"));
+    BOOST_TEST(same_text(joined(given[5]), "100000 0.001 0 0", "kinematics with a creepage"));
   }
 
-  void
-  test_read_back()
+  BOOST_AUTO_TEST_CASE(test_read_back)
   {
     HalfspaceProblem    problem = ellipse(true);
     const auto          before  = solve_rolling(problem);
@@ -89,7 +86,7 @@ namespace
       for (const std::string &word : lines[i])
         numbers.push_back(std::stod(word));
     const std::size_t n = problem.grid.size();
-    check_near(numbers.size(), 3 * n, 0, "numbers of the elements");
+    BOOST_TEST(near(numbers.size(), 3 * n, 0, "numbers of the elements"));
     if (numbers.size() != 3 * n)
       return;
     for (std::size_t e = 0; e < n; ++e)
@@ -99,27 +96,17 @@ namespace
         problem.rigid_slip_y[e]        = numbers[n + 2 * e + 1];
       }
     const auto after = solve_rolling(problem);
-    check_near(after.peak_pressure / before.peak_pressure, 1, 1e-6, "peak pressure from the file");
-    check_near(after.fy, before.fy, 1, "lateral force from the file");
-    check_near(after.xi, before.xi, 1e-8, "creepage from the file");
+    BOOST_TEST(near(after.peak_pressure / before.peak_pressure, 1, 1e-6, "peak pressure from the file"));
+    BOOST_TEST(near(after.fy, before.fy, 1, "lateral force from the file"));
+    BOOST_TEST(near(after.xi, before.xi, 1e-8, "creepage from the file"));
   }
 
-  void
-  test_refused()
+  BOOST_AUTO_TEST_CASE(test_refused)
   {
     HalfspaceProblem problem = ellipse(true);
     problem.friction         = {0.5, FrictionKind::exponential, 0.4, 0.05};
-    check_text(test::message_of([&]() { contact_input(problem, "x"); }),
-               "--contact-input writes constant friction only: set Contact/Friction law = constant",
-               "friction over speed");
+    BOOST_TEST(same_text(test::message_of([&]() { contact_input(problem, "x"); }),
+                         "--contact-input writes constant friction only: set Contact/Friction law = constant",
+                         "friction over speed"));
   }
 } // namespace
-
-int
-main()
-{
-  test_control_lines();
-  test_read_back();
-  test_refused();
-  return test::report();
-}

@@ -2,7 +2,7 @@
 
 // Input files of CONTACT for tests of what reads them.
 
-#include "check.h"
+#include "near.h"
 
 #include <filesystem>
 #include <fstream>
@@ -95,7 +95,7 @@ namespace test
   replaced(std::string text, const std::string &from, const std::string &to)
   {
     const std::size_t at = text.find(from);
-    check(at != std::string::npos, "the input holds " + from);
+    BOOST_TEST((at != std::string::npos), "the input holds " + from);
     return text.replace(at, from.size(), to);
   }
 } // namespace test

@@ -2,7 +2,7 @@
 // A million steps of a small elastic plate that is pushed to and fro on a block by less than friction holds:
 // no drift of position, force and energy.
 
-#include "check.h"
+#include "parallel.h"
 #include "scenes/contact.h"
 
 #include <algorithm>
@@ -137,8 +137,7 @@ namespace
     return cycle;
   }
 
-  void
-  pushed_plate()
+  BOOST_FIXTURE_TEST_CASE(pushed_plate, test::Parallel)
   {
     PressedPlate  plate;
     constexpr int settled = 20;
@@ -151,24 +150,19 @@ namespace
               << " nm, shear force " << late.shear << " of the bound, friction " << pair.friction_energy
               << " J, energy of the bodies off by " << e.residual() << " J, of the contact by "
               << pair.work + kept << " J" << std::endl;
-    check(plate.scene.steps() == million, "plate: a million steps");
+    BOOST_TEST((plate.scene.steps() == million), "plate: a million steps");
     // inertia adds to the push
-    check_near(late.shear / PressedPlate::push, 1, 0.03, "plate: shear force over the push");
-    check_near(late.shear / early.shear, 1, 1e-3, "plate: shear force over that of the twentieth cycle");
-    check_near(late.normal, 1, 1e-4, "plate: normal force over the load");
-    check(std::abs(late.normal - 1) < std::abs(early.normal - 1) + 1e-5,
-          "plate: normal force no farther from the load than after twenty cycles");
-    check_near(drift / late.swing, 0, 1e-3, "plate: place at the end of a cycle, over the swing");
-    check_near(
-      e.residual() / (e["strain_energy"] + e["viscous_dissipation"]), 0, 1e-3, "plate: energy of the bodies");
-    check_near((pair.work + kept) / kept, 0, 1e-3, "plate: energy of the contact");
+    BOOST_TEST(near(late.shear / PressedPlate::push, 1, 0.03, "plate: shear force over the push"));
+    BOOST_TEST(
+      near(late.shear / early.shear, 1, 1e-3, "plate: shear force over that of the twentieth cycle"));
+    BOOST_TEST(near(late.normal, 1, 1e-4, "plate: normal force over the load"));
+    BOOST_TEST(std::abs(late.normal - 1) < std::abs(early.normal - 1) + 1e-5,
+               "plate: normal force no farther from the load than after twenty cycles");
+    BOOST_TEST(near(drift / late.swing, 0, 1e-3, "plate: place at the end of a cycle, over the swing"));
+    BOOST_TEST(near(e.residual() / (e["strain_energy"] + e["viscous_dissipation"]),
+                    0,
+                    1e-3,
+                    "plate: energy of the bodies"));
+    BOOST_TEST(near((pair.work + kept) / kept, 0, 1e-3, "plate: energy of the contact"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Program program(argc, argv);
-  pushed_plate();
-  return report();
-}

@@ -78,11 +78,10 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(contact_prepare, test::Parallel)
 {
-  Parallel parallel(argc, argv);
-  Scene    scene         = small_scene(2e-3);
+  Scene scene            = small_scene(2e-3);
   scene.rolling_distance = 20e-3;
   Model         model    = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
   const Surface rail = model.contact->rail(), wheel = model.contact->wheel();
@@ -91,7 +90,7 @@ main(int argc, char **argv)
   place_wheel(model);
   for (int n = 0; n < 20; ++n)
     next_step(contact, model.solid);
-  check(norm(largest_history(contact)) > 1e6, "a history of shear is there");
+  BOOST_TEST(norm(largest_history(contact)) > 1e6, "a history of shear is there");
 
   // other stations and rows of rail and wheel
   Contact           moved     = contact;
@@ -102,30 +101,31 @@ main(int argc, char **argv)
   for (int n = 0; n < 3; ++n)
     {
       const ContactSums sums = next_step(contact, model.solid), sums_moved = next_step(moved, model.solid);
-      check(sums.nodes > 10 && sums.nodes == sums_moved.nodes && !sums.at_border && !sums_moved.at_border,
-            "the patch lies on stations that are stored before and after");
-      check_near(norm(sums_moved.force - sums.force), 0, 0, "the same forces on a part of the lattices");
-      check_near(sums_moved.friction_power, sums.friction_power, 0, "the same friction");
+      BOOST_TEST(
+        (sums.nodes > 10 && sums.nodes == sums_moved.nodes && !sums.at_border && !sums_moved.at_border),
+        "the patch lies on stations that are stored before and after");
+      BOOST_TEST(
+        near(norm(sums_moved.force - sums.force), 0, 0, "the same forces on a part of the lattices"));
+      BOOST_TEST(near(sums_moved.friction_power, sums.friction_power, 0, "the same friction"));
     }
   contact.add_forces(force.data());
   moved.add_forces(force_moved.data());
-  check(force == force_moved, "the same nodal forces");
+  BOOST_TEST((force == force_moved), "the same nodal forces");
 
   // back on the whole lattices
   moved.prepare(rail, wheel);
   const ContactSums sums = next_step(contact, model.solid), sums_moved = next_step(moved, model.solid);
-  check_near(norm(sums_moved.force - sums.force), 0, 0, "the same forces back on the whole lattices");
+  BOOST_TEST(near(norm(sums_moved.force - sums.force), 0, 0, "the same forces back on the whole lattices"));
 
   Contact fresh(contact.surfaces(), contact.law(), 14e-3, MPI_COMM_WORLD);
   fresh.prepare(rail_part, wheel_part);
-  check(std::abs(next_step(fresh, model.solid).force[2]) < 0.5 * std::abs(sums.force[2]),
-        "without the history shear begins anew");
+  BOOST_TEST(std::abs(next_step(fresh, model.solid).force[2]) < 0.5 * std::abs(sums.force[2]),
+             "without the history shear begins anew");
 
   // the same nodes, said to be of other lattices
   Surface other_rail = rail, other_wheel = wheel;
   other_rail.lattice.spacing_along *= 1.5;
   other_wheel.lattice.spacing_along *= 1.5;
   moved.prepare(other_rail, other_wheel);
-  check_near(norm(largest_history(moved)), 0, 0, "lattices of another spacing begin without a history");
-  return parallel.report();
+  BOOST_TEST(near(norm(largest_history(moved)), 0, 0, "lattices of another spacing begin without a history"));
 }

@@ -5,7 +5,7 @@
 // compared by their mean, coefficients by the change of force from one creepage to another. What is left of
 // it is of second order.
 
-#include "check.h"
+#include "parallel.h"
 #include "reference_table.h"
 #include "scenes/rolling_pair.h"
 
@@ -30,7 +30,7 @@ namespace
     for (const auto &row : read_table("contact_rolling_hertz.csv"))
       if (row[0] == name && row[1] == "0.25")
         return {-std::stod(row[10]), -std::stod(row[11])};
-    check(false, "tests/reference/contact_rolling_hertz.csv has no row " + name);
+    BOOST_TEST(false, "tests/reference/contact_rolling_hertz.csv has no row " + name);
     return {};
   }
 
@@ -90,16 +90,16 @@ namespace
               << " /m: " << 1e-3 * run.force[1] << " kN, forces over bound " << result.along << ", "
               << result.across << ", noise of force " << run.noise << " and peak " << run.peak_noise << ", "
               << run.elements << " cells, " << run.seconds << " s" << std::endl;
-    check_near(run.peak / result.ellipse.peak, 1, 0.02, "peak pressure over Hertz's");
-    check_near(run.peak_noise, 0, 0.005, "noise of the peak pressure");
+    BOOST_TEST(near(run.peak / result.ellipse.peak, 1, 0.02, "peak pressure over Hertz's"));
+    BOOST_TEST(near(run.peak_noise, 0, 0.005, "noise of the peak pressure"));
     // without slip the springs of nodes that leave the patch keep energy that is dropped with them
     if (setup.friction.at_rest < 1)
-      check_near(run.energy_error, 0, 0.01, "springs, friction and damping against the work of the forces");
+      BOOST_TEST(
+        near(run.energy_error, 0, 0.01, "springs, friction and damping against the work of the forces"));
     return result;
   }
 
-  void
-  driving_and_braking()
+  BOOST_FIXTURE_TEST_CASE(driving_and_braking, test::Parallel)
   {
     const double half  = std::abs(table_row("F1 Fx=0.5")[0]);
     double       force = 0, expected = 0;
@@ -108,16 +108,15 @@ namespace
         RollingPairSetup setup = crowned(false);
         setup.creepage         = creepage;
         const Result found     = rolled(setup);
-        check(found.along * creepage > 0, "the force drives or brakes as the creepage does");
+        BOOST_TEST(found.along * creepage > 0, "the force drives or brakes as the creepage does");
         force += std::abs(found.along);
         expected += scaled(half, found.at_table_load);
       }
-    check_near(
-      force / expected, 1, 0.03, "half of the bound: force of driving and braking over CONTACT's, mean");
+    BOOST_TEST(near(
+      force / expected, 1, 0.03, "half of the bound: force of driving and braking over CONTACT's, mean"));
   }
 
-  void
-  along_and_across()
+  BOOST_FIXTURE_TEST_CASE(along_and_across, test::Parallel)
   {
     const auto   row   = table_row("xi=1e-3 eta=1e-3");
     const double size  = std::hypot(row[0], row[1]);
@@ -132,20 +131,19 @@ namespace
         across += std::abs(found.across);
         expected += scaled(size, found.at_table_load) / size;
       }
-    check_near(along / (expected * std::abs(row[0])),
-               1,
-               0.05,
-               "creepage along and across: force along over CONTACT's, mean of driving and braking");
-    check_near(across / (expected * std::abs(row[1])),
-               1,
-               0.05,
-               "creepage along and across: force across over CONTACT's, mean of driving and braking");
+    BOOST_TEST(near(along / (expected * std::abs(row[0])),
+                    1,
+                    0.05,
+                    "creepage along and across: force along over CONTACT's, mean of driving and braking"));
+    BOOST_TEST(near(across / (expected * std::abs(row[1])),
+                    1,
+                    0.05,
+                    "creepage along and across: force across over CONTACT's, mean of driving and braking"));
   }
 
   /// Forces without slip settle later and swing with the bodies that carry them: larger ones, a longer way
   /// and a mean over most of it.
-  void
-  without_slip()
+  BOOST_FIXTURE_TEST_CASE(without_slip, test::Parallel)
   {
     RollingPairSetup setup = crowned(true);
     setup.friction         = {1000};
@@ -169,33 +167,22 @@ namespace
     const Result creep = rolled(creeping), spun = rolled(spinning);
     const auto   with = over_stiffness(creep), without = over_stiffness(spun);
     // linear, and spin of an ellipse has no force along: the two runs differ by the creepage
-    check_near((with[0] - without[0]) / 1e-3 / c[0], 1, 0.05, "no slip: C11 over CONTACT's");
-    check_near(std::abs(with[1]) / 1e-3 / c[1], 1, 0.05, "no slip: C22 over CONTACT's");
-    check_near(std::abs(without[1]) / (std::sqrt(spun.ellipse.a * spun.ellipse.b) * spinning.spin) / c[2],
-               1,
-               0.05,
-               "no slip: C23 over CONTACT's");
+    BOOST_TEST(near((with[0] - without[0]) / 1e-3 / c[0], 1, 0.05, "no slip: C11 over CONTACT's"));
+    BOOST_TEST(near(std::abs(with[1]) / 1e-3 / c[1], 1, 0.05, "no slip: C22 over CONTACT's"));
+    BOOST_TEST(
+      near(std::abs(without[1]) / (std::sqrt(spun.ellipse.a * spun.ellipse.b) * spinning.spin) / c[2],
+           1,
+           0.05,
+           "no slip: C23 over CONTACT's"));
   }
 
-  void
-  spin()
+  BOOST_FIXTURE_TEST_CASE(spin, test::Parallel)
   {
     RollingPairSetup setup = crowned(true);
     setup.spin             = 0.1;
     const Result found     = rolled(setup);
     // forces of spin over their bound do not depend on the load
-    check_near(
-      std::abs(found.across / table_row("phi=0.0001")[1]), 1, 0.05, "spin: lateral force over CONTACT's");
+    BOOST_TEST(near(
+      std::abs(found.across / table_row("phi=0.0001")[1]), 1, 0.05, "spin: lateral force over CONTACT's"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Program program(argc, argv);
-  driving_and_braking();
-  along_and_across();
-  without_slip();
-  spin();
-  return report();
-}

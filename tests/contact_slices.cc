@@ -1,8 +1,8 @@
 // Cases of CONTACT on rails and wheels by slices, and on a curved surface of reference, against what CONTACT
 // prints.
 
-#include "check.h"
 #include "contact_inputs.h"
+#include "near.h"
 #include "reference_table.h"
 #include "slices_files.h"
 
@@ -16,9 +16,8 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 
 namespace
 {
@@ -46,8 +45,7 @@ namespace
   }
 
   /// Nose and wing of artificial crossings, at given heights.
-  void
-  test_rails()
+  BOOST_AUTO_TEST_CASE(test_rails)
   {
     // in the axes of CONTACT: y to the field side, z down
     std::ifstream profile(std::string(WHEELRAIL_TEST_DIR) + "/profiles/manchester_S1002.txt");
@@ -73,26 +71,25 @@ namespace
         p.position        = (nose ? "0 0 " : "100 0 ") + row[4] + " 0 0 0";
         p.velocity        = "2000 0 0 0 0 -4.3481181";
         const auto result = solve(p).wheel_rail;
-        if (!check(result && result->patches.size() == 1,
-                   row[0] + ": one patch, of " +
-                     (result ? std::to_string(result->patches.size()) : "no result")))
-          continue;
+        BOOST_REQUIRE_MESSAGE(result && result->patches.size() == 1,
+                              row[0] + ": one patch, of " +
+                                (result ? std::to_string(result->patches.size()) : "no result"));
         const WheelRailPatch &patch = result->patches.front();
         const auto            value = [&](const std::size_t k) { return std::stod(row[k]); };
-        check_near(1e3 * patch.in_track[0], value(9), 0.05, row[0] + ": place along the track");
-        check_near(1e3 * patch.on_rail[1], value(10), 0.05, row[0] + ": place on the rail");
-        check_near(patch.angle, value(11), 1e-3, row[0] + ": contact angle");
-        check_near(patch.solution.fn, value(12), 50, row[0] + ": normal force");
-        check_near(patch.solution.fx, value(13), 50, row[0] + ": longitudinal force");
-        check_relative(patch.creepage, value(15), 0.01, row[0] + ": creepage");
-        check_relative(1e3 * patch.solution.approach, value(18), 5e-3, row[0] + ": approach");
-        check_relative(1e-6 * patch.solution.peak_pressure, value(19), 5e-3, row[0] + ": peak pressure");
+        BOOST_TEST(near(1e3 * patch.in_track[0], value(9), 0.05, row[0] + ": place along the track"));
+        BOOST_TEST(near(1e3 * patch.on_rail[1], value(10), 0.05, row[0] + ": place on the rail"));
+        BOOST_TEST(near(patch.angle, value(11), 1e-3, row[0] + ": contact angle"));
+        BOOST_TEST(near(patch.solution.fn, value(12), 50, row[0] + ": normal force"));
+        BOOST_TEST(near(patch.solution.fx, value(13), 50, row[0] + ": longitudinal force"));
+        BOOST_TEST(near_relative(patch.creepage, value(15), 0.01, row[0] + ": creepage"));
+        BOOST_TEST(near_relative(1e3 * patch.solution.approach, value(18), 5e-3, row[0] + ": approach"));
+        BOOST_TEST(
+          near_relative(1e-6 * patch.solution.peak_pressure, value(19), 5e-3, row[0] + ": peak pressure"));
       }
   }
 
   /// A wheel with a flat on a round crown, turned by a pitch.
-  void
-  test_wheel()
+  BOOST_AUTO_TEST_CASE(test_wheel)
   {
     test::write_flat("flat.slcw");
     std::ofstream crown("crown.prr");
@@ -115,24 +112,22 @@ namespace
         p.position        = "0 0 10000 0 0 " + pitch + "d";
         p.velocity        = "2000 0 0 0 0 -4.44444444";
         const auto result = solve(p).wheel_rail;
-        if (!check(result && result->patches.size() == 1, "pitch " + pitch + ": one patch"))
-          continue;
+        BOOST_REQUIRE_MESSAGE(result && result->patches.size() == 1, "pitch " + pitch + ": one patch");
         const HalfspaceSolution &s = result->patches.front().solution;
-        check_near(
-          1e3 * result->height, std::stod(row[1]), 5e-4, "pitch " + pitch + ": height of the wheelset");
-        check_relative(1e3 * s.approach, std::stod(row[2]), 5e-3, "pitch " + pitch + ": approach");
+        BOOST_TEST(
+          near(1e3 * result->height, std::stod(row[1]), 5e-4, "pitch " + pitch + ": height of the wheelset"));
+        BOOST_TEST(near_relative(1e3 * s.approach, std::stod(row[2]), 5e-3, "pitch " + pitch + ": approach"));
         // at -5 deg the peak stands beside the kink where the flat ends, on a spline that rings there
-        check_relative(1e-6 * s.peak_pressure,
-                       std::stod(row[3]),
-                       pitch == "-5" ? 0.03 : 5e-3,
-                       "pitch " + pitch + ": peak pressure");
-        check_relative(1e6 * s.area, std::stod(row[4]), 0.01, "pitch " + pitch + ": area");
+        BOOST_TEST(near_relative(1e-6 * s.peak_pressure,
+                                 std::stod(row[3]),
+                                 pitch == "-5" ? 0.03 : 5e-3,
+                                 "pitch " + pitch + ": peak pressure"));
+        BOOST_TEST(near_relative(1e6 * s.area, std::stod(row[4]), 0.01, "pitch " + pitch + ": area"));
       }
   }
 
   /// What is answered to slices that do not fit.
-  void
-  test_messages()
+  BOOST_AUTO_TEST_CASE(test_messages)
   {
     test::write_flat("flat.slcw");
     test::write_part("wing");
@@ -149,10 +144,12 @@ namespace
       const CaseResult result = solve(p);
       return result.refused.empty() ? std::string("no message") : result.refused.front();
     };
-    test::check_text(said(), "wing.slcs: slices of a rail (.slcs) stand for a wheel", "slices of a rail");
+    BOOST_TEST(
+      test::same_text(said(), "wing.slcs: slices of a rail (.slcs) stand for a wheel", "slices of a rail"));
     p.rail  = "flat.slcw' 0 1 0";
     p.wheel = "S1002.prw' 0 1 0";
-    test::check_text(said(), "flat.slcw: slices of a wheel (.slcw) stand for a rail", "slices of a wheel");
+    BOOST_TEST(
+      test::same_text(said(), "flat.slcw: slices of a wheel (.slcw) stand for a rail", "slices of a wheel"));
     // ten slices around the axle: a part ends behind the seventh, or is shorter from the eighth on
     const auto write_parts =
       [](const std::string &name, const int features, const std::string &first, const std::string &last) {
@@ -167,16 +164,17 @@ namespace
     write_parts("short.slcw", 2, " 0 999\n", " 0 20\n");
     p.rail  = "crown.prr' 0 1 0";
     p.wheel = "parts.slcw' 0 1 0";
-    test::check_text(said(),
-                     "parts.slcw: parts of the wheel begin or end between slices; all need the same",
-                     "a wheel of parts");
+    BOOST_TEST(
+      test::same_text(said(),
+                      "parts.slcw: parts of the wheel begin or end between slices; all need the same",
+                      "a wheel of parts"));
     p.wheel = "short.slcw' 0 1 0";
-    test::check_text(said(), "short.slcw: nothing is at 5.755 degrees", "between slices of unlike lengths");
+    BOOST_TEST(
+      test::same_text(said(), "short.slcw: nothing is at 5.755 degrees", "between slices of unlike lengths"));
   }
 
   /// A wheel with a tread of 10 mm in a groove, on a curved surface of reference.
-  void
-  test_groove()
+  BOOST_AUTO_TEST_CASE(test_groove)
   {
     const auto write = [](const std::string &file, const double radius, const double sign) {
       std::ofstream out(file);
@@ -207,25 +205,14 @@ namespace
         p.position        = "0 0 10000 0 0 0";
         p.velocity        = "420 0 0 0 0 0";
         const auto result = solve(p).wheel_rail;
-        if (!check(result && result->patches.size() == 1, name + "one patch"))
-          continue;
+        BOOST_REQUIRE_MESSAGE(result && result->patches.size() == 1, name + "one patch");
         const WheelRailPatch    &patch = result->patches.front();
         const HalfspaceSolution &s     = patch.solution;
-        check_relative(1e-6 * s.peak_pressure, std::stod(row[2]), 5e-3, name + "peak pressure");
-        check_relative(1e6 * s.area, std::stod(row[3]), 0.01, name + "area");
-        check_relative(1e6 * s.adhesion_area, std::stod(row[4]), 0.02, name + "adhesion");
-        check_relative(1e3 * s.approach, std::stod(row[7]), 5e-3, name + "approach");
-        check_relative(patch.creepage, std::stod(row[8]), 0.01, name + "creepage");
+        BOOST_TEST(near_relative(1e-6 * s.peak_pressure, std::stod(row[2]), 5e-3, name + "peak pressure"));
+        BOOST_TEST(near_relative(1e6 * s.area, std::stod(row[3]), 0.01, name + "area"));
+        BOOST_TEST(near_relative(1e6 * s.adhesion_area, std::stod(row[4]), 0.02, name + "adhesion"));
+        BOOST_TEST(near_relative(1e3 * s.approach, std::stod(row[7]), 5e-3, name + "approach"));
+        BOOST_TEST(near_relative(patch.creepage, std::stod(row[8]), 0.01, name + "creepage"));
       }
   }
 } // namespace
-
-int
-main()
-{
-  test_rails();
-  test_wheel();
-  test_messages();
-  test_groove();
-  return test::report();
-}

@@ -3,7 +3,7 @@
 // A plate that slides under a rigid plane: stopping way and heat for several friction coefficients, and the
 // limit of sticking.
 
-#include "check.h"
+#include "parallel.h"
 #include "scenes/contact.h"
 
 #include <algorithm>
@@ -103,22 +103,23 @@ namespace
     if (friction == 0)
       {
         plate.scene.run_to(60e-6);
-        check_near(
-          plate.mean(plate.scene.solid.velocity) / speed, 1, 1e-6, name + "the plate keeps its speed");
-        check_near(plate.pair->friction_energy, 0, 0, name + "no heat");
+        BOOST_TEST(
+          near(plate.mean(plate.scene.solid.velocity) / speed, 1, 1e-6, name + "the plate keeps its speed"));
+        BOOST_TEST(near(plate.pair->friction_energy, 0, 0, name + "no heat"));
         return;
       }
     const double deceleration = friction * Plate::load / plate.mass, way = speed * speed / (2 * deceleration);
     plate.scene.run_to(0.5 * speed / deceleration);
-    check_near(
-      plate.mean(plate.scene.solid.displacement) / (0.75 * way), 1, 0.01, name + "way after half the time");
+    BOOST_TEST(near(
+      plate.mean(plate.scene.solid.displacement) / (0.75 * way), 1, 0.01, name + "way after half the time"));
     plate.scene.run_to(1.6 * speed / deceleration);
-    check_near(plate.mean(plate.scene.solid.displacement) / way, 1, 0.01, name + "way v^2/(2 mu g)");
-    check_near(plate.pair->friction_energy / kinetic, 1, 0.01, name + "heat over the kinetic energy lost");
-    check_near((plate.pair->work + plate.pair->friction_energy + plate.pair->damping_energy) / kinetic,
-               0,
-               0.01,
-               name + "work of the forces against heat and springs");
+    BOOST_TEST(near(plate.mean(plate.scene.solid.displacement) / way, 1, 0.01, name + "way v^2/(2 mu g)"));
+    BOOST_TEST(
+      near(plate.pair->friction_energy / kinetic, 1, 0.01, name + "heat over the kinetic energy lost"));
+    BOOST_TEST(near((plate.pair->work + plate.pair->friction_energy + plate.pair->damping_energy) / kinetic,
+                    0,
+                    0.01,
+                    name + "work of the forces against heat and springs"));
   }
 
   void
@@ -138,23 +139,22 @@ namespace
         const double acceleration =
           (plate.mean(plate.scene.solid.velocity) - before) / (plate.scene.time() - time);
         const double expected = std::max(0., part - 1) * friction * Plate::load / plate.mass;
-        check_near(acceleration * plate.mass / (friction * Plate::load),
-                   expected * plate.mass / (friction * Plate::load),
-                   0.01,
-                   "pulled with " + std::to_string(part).substr(0, 3) +
-                     " of the bound: acceleration over the bound's");
+        BOOST_TEST(near(acceleration * plate.mass / (friction * Plate::load),
+                        expected * plate.mass / (friction * Plate::load),
+                        0.01,
+                        "pulled with " + std::to_string(part).substr(0, 3) +
+                          " of the bound: acceleration over the bound's"));
         if (part < 1)
-          check(plate.mean(plate.scene.solid.displacement) < 0.5e-6, "below the bound it does not move away");
+          BOOST_TEST(plate.mean(plate.scene.solid.displacement) < 0.5e-6,
+                     "below the bound it does not move away");
       }
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(contact_sliding, test::Parallel)
 {
-  Program program(argc, argv);
   for (const double friction : {0., 0.2, 0.5, 0.8})
     stopping(friction);
   limit_of_sticking();
-  return report();
 }

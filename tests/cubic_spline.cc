@@ -2,7 +2,7 @@
 
 // Natural smoothing splines: what they leave of noise, straight lines and circles.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/sections/cubic_spline.h>
@@ -13,8 +13,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -33,8 +32,7 @@ namespace
     return sum;
   }
 
-  void
-  test_least()
+  BOOST_AUTO_TEST_CASE(test_least)
   {
     std::mt19937_64                        random(7);
     std::uniform_real_distribution<double> off(-1, 1);
@@ -55,8 +53,8 @@ namespace
             {
               Values other = f;
               other[k] += step;
-              check(cost(s, y, w, other, 0.3) > least,
-                    std::to_string(n) + " points: no values beside cost less");
+              BOOST_TEST(cost(s, y, w, other, 0.3) > least,
+                         std::to_string(n) + " points: no values beside cost less");
             }
         double       one = 0, along = 0; // residuals of a regression line have no mean and no slope
         const Values line = smoothed_values(s, y, w, 1e9);
@@ -64,16 +62,15 @@ namespace
           {
             one += w[k] * (y[k] - line[k]);
             along += w[k] * s[k] * (y[k] - line[k]);
-            check_near(smoothed_values(s, y, w, 0)[k], y[k], 1e-15, "without a weight all values stay");
+            BOOST_TEST(near(smoothed_values(s, y, w, 0)[k], y[k], 1e-15, "without a weight all values stay"));
           }
-        check_near(one, 0, 1e-6, "a large weight leaves a line");
-        check_near(along, 0, 1e-6, "of least squares");
+        BOOST_TEST(near(one, 0, 1e-6, "a large weight leaves a line"));
+        BOOST_TEST(near(along, 0, 1e-6, "of least squares"));
       }
   }
 
   /// SMOOTH of CONTACT's files: noise of 10 um on an arc of radius 50 mm falls, a corner stays.
-  void
-  test_profile()
+  BOOST_AUTO_TEST_CASE(test_profile)
   {
     std::mt19937_64                  random(3);
     std::normal_distribution<double> noise(0, 0.01);
@@ -88,21 +85,14 @@ namespace
         sum += std::pow(1e3 * p.y - arc(1e3 * p.x), 2);
       return std::sqrt(sum / 161);
     };
-    check_near(off(0), 0.01, 0.002, "noise");
-    check(off(5) < 0.5 * off(0), "a smoothed profile has less of it, " + std::to_string(off(5)) + " mm");
+    BOOST_TEST(near(off(0), 0.01, 0.002, "noise"));
+    BOOST_TEST(off(5) < 0.5 * off(0), "a smoothed profile has less of it, " + std::to_string(off(5)) + " mm");
 
     profile.points    = {{-30, 0}, {-20, 0}, {-10, 0}, {-5, 0}, {0, 0}, {4, 4}, {8, 8}, {20, 20}, {30, 30}};
     profile.smoothing = 1;
     const std::vector<Point2> corner = section_points(profile, true);
     for (std::size_t k = 0; k < corner.size(); ++k)
-      check_near(1e3 * corner[k].y, profile.points[k].second, 1e-9, "straight sides and their corner stay");
+      BOOST_TEST(
+        near(1e3 * corner[k].y, profile.points[k].second, 1e-9, "straight sides and their corner stay"));
   }
 } // namespace
-
-int
-main()
-{
-  test_least();
-  test_profile();
-  return test::report();
-}

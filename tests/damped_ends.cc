@@ -100,7 +100,7 @@ namespace
                                 std::to_string(length).substr(0, 3) + " m, " + std::to_string(int(f)) +
                                 " Hz: reflection ";
               if (length == 3 && f >= lowest && f <= highest)
-                check_near(found, 0, 0.05, name);
+                BOOST_TEST(near(found, 0, 0.05, name));
               else
                 std::cout << name << found << std::endl;
             }
@@ -108,12 +108,11 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(damped_ends, test::Parallel)
 {
-  Parallel   parallel(argc, argv);
-  const bool table = argc > 1 && std::string(argv[1]) == "table";
+  const auto &all   = boost::unit_test::framework::master_test_suite();
+  const bool  table = all.argc > 1 && std::string(all.argv[1]) == "table";
   ends(false, 300, 2000, table);
   ends(true, 400, 1500, table);
-  return parallel.report();
 }

@@ -2,8 +2,8 @@
 
 // The reduced hexahedron: patch test, rigid motion, exact gradient of its energy, widths, linearisation.
 
-#include "check.h"
 #include "explicit_brick.h"
+#include "near.h"
 
 #include <algorithm>
 #include <array>
@@ -37,8 +37,7 @@ namespace
     return f;
   }
 
-  void
-  patch_test()
+  BOOST_AUTO_TEST_CASE(patch_test)
   {
     const Mesh    block  = distorted_block(3, 0.25);
     const auto    u      = nodal(block, [](const Vector &X) -> Vector {
@@ -50,8 +49,8 @@ namespace
     for (const auto &s : stress)
       for (int k = 0; k < 6; ++k)
         spread = std::max(spread, std::abs(s[k] - stress[0][k]));
-    test::check_near(
-      spread / std::abs(stress[0][0]), 0, 1e-12, "patch test: equal stress in distorted cells");
+    BOOST_TEST(
+      test::near(spread / std::abs(stress[0][0]), 0, 1e-12, "patch test: equal stress in distorted cells"));
     ElementEnergy energy;
     const auto    f     = internal_force(block, u, native_width, energy);
     double        inner = 0;
@@ -60,12 +59,12 @@ namespace
         for (unsigned int i = 1; i < 3; ++i)
           for (int c = 0; c < 3; ++c)
             inner = std::max(inner, std::abs(f[4 * (i + 4 * (j + 4 * k)) + c]));
-    test::check_near(inner / largest(f), 0, 1e-12, "patch test: inner forces vanish");
-    test::check_near(energy.stabilisation / energy.strain, 0, 1e-20, "patch test: no stabilisation energy");
+    BOOST_TEST(test::near(inner / largest(f), 0, 1e-12, "patch test: inner forces vanish"));
+    BOOST_TEST(
+      test::near(energy.stabilisation / energy.strain, 0, 1e-20, "patch test: no stabilisation energy"));
   }
 
-  void
-  rigid_rotation()
+  BOOST_AUTO_TEST_CASE(rigid_rotation)
   {
     const Mesh    block  = distorted_block(3, 0.25);
     const double  angle  = 10 * 2 * M_PI + 1;
@@ -79,14 +78,13 @@ namespace
     for (const auto &s : element_stress(blocks, u.data()))
       for (const double x : s)
         worst = std::max(worst, std::abs(x));
-    test::check_near(worst / 210e9, 0, 1e-13, "ten turns: stress over Young's modulus");
+    BOOST_TEST(test::near(worst / 210e9, 0, 1e-13, "ten turns: stress over Young's modulus"));
     ElementEnergy energy;
-    test::check_near(
-      largest(internal_force(block, u, native_width, energy)) / 210e9, 0, 1e-13, "ten turns: force");
+    BOOST_TEST(test::near(
+      largest(internal_force(block, u, native_width, energy)) / 210e9, 0, 1e-13, "ten turns: force"));
   }
 
-  void
-  energy_gradient()
+  BOOST_AUTO_TEST_CASE(energy_gradient)
   {
     const Mesh                             block = distorted_block(2, 0.25);
     std::mt19937                           random(3);
@@ -115,7 +113,7 @@ namespace
             }
           worst = std::max(worst, std::abs((W[1] - W[0]) / (2 * h) - f[4 * n + i]));
         }
-    test::check_near(worst / largest(f), 0, 1e-7, "force is the exact gradient of the energy");
+    BOOST_TEST(test::near(worst / largest(f), 0, 1e-7, "force is the exact gradient of the energy"));
 
     double force[3] = {}, moment[3] = {};
     for (std::size_t n = 0; n < block.vertices.size(); ++n)
@@ -131,13 +129,12 @@ namespace
       }
     for (int i = 0; i < 3; ++i)
       {
-        test::check_near(force[i] / largest(f), 0, 1e-12, "internal forces sum to zero");
-        test::check_near(moment[i] / largest(f), 0, 1e-12, "internal moments sum to zero");
+        BOOST_TEST(test::near(force[i] / largest(f), 0, 1e-12, "internal forces sum to zero"));
+        BOOST_TEST(test::near(moment[i] / largest(f), 0, 1e-12, "internal moments sum to zero"));
       }
   }
 
-  void
-  widths_and_linearisation()
+  BOOST_AUTO_TEST_CASE(widths_and_linearisation)
   {
     const Mesh                             block = distorted_block(3, 0.2);
     std::mt19937                           random(5);
@@ -152,8 +149,8 @@ namespace
         auto f = internal_force(block, u, width, energy);
         for (std::size_t k = 0; k < f.size(); ++k)
           f[k] -= f1[k];
-        test::check_near(
-          largest(f) / largest(f1), 0, 1e-12, "width " + std::to_string(width) + " equals width 1");
+        BOOST_TEST(test::near(
+          largest(f) / largest(f1), 0, 1e-12, "width " + std::to_string(width) + " equals width 1"));
       }
     AlignedVector<double> linear(u.size(), 0.);
     for (std::size_t e = 0; e < block.cells.size(); ++e)
@@ -165,12 +162,12 @@ namespace
       }
     for (std::size_t k = 0; k < linear.size(); ++k)
       linear[k] -= f1[k];
-    test::check_near(largest(linear) / largest(f1), 0, 1e-7, "stiffness matrix is the linearised kernel");
+    BOOST_TEST(
+      test::near(largest(linear) / largest(f1), 0, 1e-7, "stiffness matrix is the linearised kernel"));
   }
 
   /// One layer of brick cells bent in its plane: exact for any aspect ratio with assumed strains.
-  void
-  pure_bending()
+  BOOST_AUTO_TEST_CASE(pure_bending)
   {
     for (const double nu : {0., 0.3, 0.49})
       {
@@ -197,18 +194,8 @@ namespace
             W += 0.5 * u[r] * K[24 * r + c] * u[c];
         const double I     = size[2] * std::pow(size[1], 3) / 12;
         const double exact = 0.5 * material.youngs_modulus * I * kappa * kappa * size[0];
-        test::check_near(W / exact, 1, 1e-12, "bending energy of one flat cell, nu = " + std::to_string(nu));
+        BOOST_TEST(
+          test::near(W / exact, 1, 1e-12, "bending energy of one flat cell, nu = " + std::to_string(nu)));
       }
   }
 } // namespace
-
-int
-main()
-{
-  patch_test();
-  rigid_rotation();
-  energy_gradient();
-  widths_and_linearisation();
-  pure_bending();
-  return test::report();
-}

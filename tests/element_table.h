@@ -43,10 +43,10 @@ namespace test
     for (int d = 0; d < 3; ++d)
       {
         const double rms = std::sqrt(error[d] / table.size()) / peak[d];
-        check(rms < limit,
-              std::string(names[d]) + " of the element table, rms over peak " + std::to_string(rms));
+        BOOST_TEST(rms < limit,
+                   std::string(names[d]) + " of the element table, rms over peak " + std::to_string(rms));
       }
-    check(other <= other_states, std::to_string(other) + " elements of other state than in the table");
+    BOOST_TEST(other <= other_states, std::to_string(other) + " elements of other state than in the table");
     return slip_error / slip_peak;
   }
 } // namespace test

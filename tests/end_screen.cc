@@ -4,15 +4,14 @@
 
 #include <wheelrail/run/end_screen.h>
 
-#include "check.h"
+#include "near.h"
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
+using test::same_text;
 
 namespace
 {
@@ -66,12 +65,12 @@ namespace
              const std::string              &expected,
              const std::string              &text)
   {
-    check_text(lines[place_of(lines, part)], expected, text);
+    BOOST_TEST(same_text(lines[place_of(lines, part)], expected, text));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(screens)
 {
   Summary run = finished_run();
   for (int k = 0; k < 9; ++k)
@@ -79,26 +78,28 @@ main()
       (k > 0 ? " " : "") + std::string("Reason ") + std::to_string(k) + " is off by 3.2 %; do this.";
   run.note                             = "a note";
   const std::vector<std::string> lines = end_screen(run, "out put");
-  check(lines.size() <= 25 && lines.size() > 15, std::to_string(lines.size()) + " lines");
-  check_text(lines[1], "  verdict: with care", "the verdict comes first");
-  check_text(lines[2], "    - Reason 0 is off by 3.2 %; do this.", "its reasons follow, one a line");
-  check_text(lines[5], "    - 6 more in summary.json.", "of many reasons the first");
+  BOOST_TEST((lines.size() <= 25 && lines.size() > 15), std::to_string(lines.size()) + " lines");
+  BOOST_TEST(same_text(lines[1], "  verdict: with care", "the verdict comes first"));
+  BOOST_TEST(
+    same_text(lines[2], "    - Reason 0 is off by 3.2 %; do this.", "its reasons follow, one a line"));
+  BOOST_TEST(same_text(lines[5], "    - 6 more in summary.json.", "of many reasons the first"));
   check_line(
     lines, "Y/Q", "            Y/Q                                  -0.0200", "lateral over vertical force");
   const std::vector<std::string> order = {
     "verdict", "vertical force Q", "peak pressure", "von Mises", "energy error", "next: "};
   for (std::size_t k = 1; k < order.size(); ++k)
-    check(place_of(lines, order[k - 1]) < place_of(lines, order[k]) &&
-            place_of(lines, order[k]) < lines.size(),
-          order[k] + " after " + order[k - 1]);
-  check(place_of(lines, "_std_") == lines.size() && place_of(lines, "nan") == lines.size(),
-        "no raw keys, no missing figures");
-  check_text(lines.back(),
-             "  next: ./wheelrail compare \'out put\' (against half-spaces), ./wheelrail report \'out put\' "
-             "(pictures and a page)",
-             "what to do next");
+    BOOST_TEST(
+      (place_of(lines, order[k - 1]) < place_of(lines, order[k]) && place_of(lines, order[k]) < lines.size()),
+      order[k] + " after " + order[k - 1]);
+  BOOST_TEST((place_of(lines, "_std_") == lines.size() && place_of(lines, "nan") == lines.size()),
+             "no raw keys, no missing figures");
+  BOOST_TEST(
+    same_text(lines.back(),
+              "  next: ./wheelrail compare \'out put\' (against half-spaces), ./wheelrail report \'out put\' "
+              "(pictures and a page)",
+              "what to do next"));
 
-  check(place_of(lines, "impact") == lines.size(), "nothing of impacts where surfaces are smooth");
+  BOOST_TEST((place_of(lines, "impact") == lines.size()), "nothing of impacts where surfaces are smooth");
   set_figure(run, "largest_vertical_force_N", 242.4e3);
   set_figure(run, "largest_vertical_force_at_m", 72.3e-3);
   set_figure(run, "impact_factor", 2.348);
@@ -137,21 +138,23 @@ main()
   set_figure(halfspaces, "archard_depth_m", 17.345e-9);
   set_figure(halfspaces, "reference_lateral_m", 4.2e-3);
   const std::vector<std::string> still = halfspace_screen(halfspaces);
-  check(still.size() <= 30 && still.size() > 12, std::to_string(still.size()) + " lines of half-spaces");
-  check_text(still[0], "a run", "half-spaces begin with the title, too");
-  check_text(still[1], "  verdict: with care", "and their verdict");
+  BOOST_TEST((still.size() <= 30 && still.size() > 12),
+             std::to_string(still.size()) + " lines of half-spaces");
+  BOOST_TEST(same_text(still[0], "a run", "half-spaces begin with the title, too"));
+  BOOST_TEST(same_text(still[1], "  verdict: with care", "and their verdict"));
   check_line(still,
              "contact angle",
              "  position  contact angle                          47.70 mrad",
              "and how their plane lies");
-  check(place_of(still, "wear depth") < still.size() && place_of(still, "reference") == still.size(),
-        "the wear of a passage, and no reference point");
+  BOOST_TEST((place_of(still, "wear depth") < still.size() && place_of(still, "reference") == still.size()),
+             "the wear of a passage, and no reference point");
 
   Summary stopped;
   stopped.stop_reason                 = "interrupted";
   const std::vector<std::string> part = end_screen(stopped, "out");
-  check_text(part[0], "  verdict: not trusted", "a run that did not finish is not trusted");
-  check_text(part[1], "    - It did not finish: interrupted; this is what it has.", "and says what it has");
-  check_text(part.back(), "  next: ./wheelrail report out (pictures and a page)", "it cannot be compared");
-  return test::report();
+  BOOST_TEST(same_text(part[0], "  verdict: not trusted", "a run that did not finish is not trusted"));
+  BOOST_TEST(
+    same_text(part[1], "    - It did not finish: interrupted; this is what it has.", "and says what it has"));
+  BOOST_TEST(
+    same_text(part.back(), "  next: ./wheelrail report out (pictures and a page)", "it cannot be compared"));
 }

@@ -1,7 +1,7 @@
 // What is expected of a scene before it is computed: patch and number of cells, against CONTACT, Hertz's
 // theory and meshes that were made.
 
-#include "check.h"
+#include "parallel.h"
 #include "reference_table.h"
 
 #include <wheelrail/input/parameters.h>
@@ -16,8 +16,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -56,24 +55,25 @@ namespace
     for (const auto &row : test::read_table("contact_wheel_rail_54E1.csv"))
       if (row[0] == "Fx=0" && row[1] == "0.25" && row[2] == "0")
         width = 1e-3 * std::stod(row[15]), length = 1e-3 * std::stod(row[16]);
-    check(width > length && length > 0, "CONTACT's patch of this pair under 100 kN");
+    BOOST_TEST((width > length && length > 0), "CONTACT's patch of this pair under 100 kN");
 
     // wider than long; 5 %, since the curvature of the profiles changes across the patch
     const auto          rule  = rule_over_hertz(width / length);
     const ExpectedPatch patch = patch_of(loaded(1e5));
-    check_near(patch.width / width, rule[0], 0.05, "width over CONTACT's: as the rule over Hertz");
-    check_near(patch.length / length, rule[1], 0.05, "length over CONTACT's: as the rule over Hertz");
-    check(length < 2 * half_length_bound(patch.approach, 0.46), "no patch is longer than the bound");
+    BOOST_TEST(near(patch.width / width, rule[0], 0.05, "width over CONTACT's: as the rule over Hertz"));
+    BOOST_TEST(near(patch.length / length, rule[1], 0.05, "length over CONTACT's: as the rule over Hertz"));
+    BOOST_TEST(length < 2 * half_length_bound(patch.approach, 0.46), "no patch is longer than the bound");
 
     // Hertz (1882): the approach goes with the load to the power 2/3, with E to -2/3
-    check_near(patch_of(loaded(8e5)).approach / patch.approach,
-               4,
-               1e-9,
-               "eight times the load, four times the approach");
+    BOOST_TEST(near(patch_of(loaded(8e5)).approach / patch.approach,
+                    4,
+                    1e-9,
+                    "eight times the load, four times the approach"));
     Scene soft = loaded(1e5);
     soft.rail_material.youngs_modulus /= 8;
     soft.wheel_material.youngs_modulus /= 8;
-    check_near(patch_of(soft).approach / patch.approach, 4, 1e-9, "an eighth of the stiffness, the same");
+    BOOST_TEST(
+      near(patch_of(soft).approach / patch.approach, 4, 1e-9, "an eighth of the stiffness, the same"));
   }
 
   void
@@ -81,26 +81,25 @@ namespace
   {
     const Scene scene = scene_from_text("", "none", sets).scene;
     const Model model = make_model(scene, make_geometry(scene), MPI_COMM_SELF);
-    check_near(expected_elements(scene, patch_of(scene)) / double(model.solid.quality.elements),
-               1,
-               1. / 3,
-               "to a third: expected over actual number of cells, " + sets.front());
+    BOOST_TEST(near(expected_elements(scene, patch_of(scene)) / double(model.solid.quality.elements),
+                    1,
+                    1. / 3,
+                    "to a third: expected over actual number of cells, " + sets.front()));
   }
 
   void
   test_ranks()
   {
-    check_near(useful_ranks(65e3, 2), 2, 0, "all cores of a small machine");
-    check_near(useful_ranks(65e3, 64), 16, 0, "as many as have cells to work on");
-    check_near(useful_ranks(3e3, 64), 1, 0, "one for a small mesh");
-    check_near(useful_ranks(1e9, 16), 16, 0, "never more than cores");
+    BOOST_TEST(near(useful_ranks(65e3, 2), 2, 0, "all cores of a small machine"));
+    BOOST_TEST(near(useful_ranks(65e3, 64), 16, 0, "as many as have cells to work on"));
+    BOOST_TEST(near(useful_ranks(3e3, 64), 1, 0, "one for a small mesh"));
+    BOOST_TEST(near(useful_ranks(1e9, 16), 16, 0, "never more than cores"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(expected_patch, test::Parallel)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_patch();
   test_ranks();
   for (const char *cell : {"4 mm", "2 mm"})
@@ -111,5 +110,4 @@ main(int argc, char **argv)
                    "Track/Rail length = 600 mm"});
   test_elements(
     {"Mesh/Solution cell size = 1 mm", "Run/Rolling distance = 15 mm", "Run/Averaging distance = 5 mm"});
-  return test::report();
 }

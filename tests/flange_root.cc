@@ -10,11 +10,10 @@
 using namespace wheelrail;
 using namespace test;
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(flange_root, test::Parallel)
 {
-  Parallel parallel(argc, argv);
-  Scene    scene = read_scene(WHEELRAIL_SOURCE_DIR "/prm/quickstart.prm",
+  Scene scene = read_scene(WHEELRAIL_SOURCE_DIR "/prm/quickstart.prm",
                            {"Wheelset/Lateral shift = -5.5 mm", "Mesh/Fine margin = 3 mm"})
                   .scene;
   const Scene         given    = scene;
@@ -23,10 +22,9 @@ main(int argc, char **argv)
   const auto          narrow   = model.contact->lattice();
   Log                 log;
   const auto          start = start_on_wide_mesh(scene, geometry, model, nullptr, log, MPI_COMM_WORLD);
-  check(!start.at_border, "the patch keeps off the edge of the fine cells");
-  check_near(scene.fine_margin / given.fine_margin, 2, 1e-12, "the fine margin is doubled");
-  check(model.contact->lattice().n_lateral > narrow.n_lateral + 4, "the lattice is wider");
+  BOOST_TEST(!start.at_border, "the patch keeps off the edge of the fine cells");
+  BOOST_TEST(near(scene.fine_margin / given.fine_margin, 2, 1e-12, "the fine margin is doubled"));
+  BOOST_TEST(model.contact->lattice().n_lateral > narrow.n_lateral + 4, "the lattice is wider");
   const ContactSums sums = model.contact->evaluate(0);
-  check_near(sums.force[1] / model.wheel_load, 1, 1e-3, "the contact carries the wheel load");
-  return parallel.report();
+  BOOST_TEST(near(sums.force[1] / model.wheel_load, 1, 1e-3, "the contact carries the wheel load"));
 }

@@ -27,17 +27,18 @@ namespace
   sums_do_not_depend_on_ranks(const Model &model)
   {
     const Model alone = test::small_model(MPI_COMM_SELF, 4e-3);
-    check(model.solid.quality.elements == alone.solid.quality.elements, "as many cells as on one rank");
-    check(model.solid.quality.nodes == alone.solid.quality.nodes, "as many nodes as on one rank");
-    check_near(model.solid.stable.step / alone.solid.stable.step, 1, 1e-12, "stable step of one rank");
+    BOOST_TEST((model.solid.quality.elements == alone.solid.quality.elements),
+               "as many cells as on one rank");
+    BOOST_TEST((model.solid.quality.nodes == alone.solid.quality.nodes), "as many nodes as on one rank");
+    BOOST_TEST(near(model.solid.stable.step / alone.solid.stable.step, 1, 1e-12, "stable step of one rank"));
     for (const Body body : {Body::rail, Body::wheel})
       {
         const auto a = mass_properties(model.solid, body, model.axle.centre, MPI_COMM_WORLD);
         const auto b = mass_properties(alone.solid, body, model.axle.centre, MPI_COMM_SELF);
         const auto n = body_name[static_cast<int>(body)];
-        check_near(a.mass / b.mass, 1, 1e-13, n + ": mass of one rank");
-        check_near(a.inertia / b.inertia, 1, 1e-13, n + ": inertia of one rank");
-        check_near(norm(a.centre - b.centre), 0, 1e-13, n + ": centre of gravity of one rank");
+        BOOST_TEST(near(a.mass / b.mass, 1, 1e-13, n + ": mass of one rank"));
+        BOOST_TEST(near(a.inertia / b.inertia, 1, 1e-13, n + ": inertia of one rank"));
+        BOOST_TEST(near(norm(a.centre - b.centre), 0, 1e-13, n + ": centre of gravity of one rank"));
       }
     const Surface *surfaces[2][2] = {{&model.contact->rail(), &alone.contact->rail()},
                                      {&model.contact->wheel(), &alone.contact->wheel()}};
@@ -47,7 +48,8 @@ namespace
         difference = std::max({difference,
                                norm(pair[0]->reference[k] - pair[1]->reference[k]),
                                std::abs(pair[0]->area[k] - pair[1]->area[k])});
-    check_near(difference, 0, 1e-14, "surface lattices of one rank: largest difference of places and areas");
+    BOOST_TEST(
+      near(difference, 0, 1e-14, "surface lattices of one rank: largest difference of places and areas"));
   }
 
   /// Nodes of a rank that lie on any boundary of the bodies, its parents of hanging nodes included.
@@ -90,10 +92,10 @@ namespace
         count[static_cast<int>(mesh.node_body[mesh.hanging[k]])] += 1;
       }
     MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
-    check(count[0] > 100 && count[1] > 100, "both bodies have hanging nodes");
-    check(parents_free, "no parent of a hanging node hangs");
-    check_near(weight_error, 0, 1e-14, "weights of the parents add up to 1");
-    check_near(error, 0, 1e-15, "hanging nodes lie at the mean of their parents [m]");
+    BOOST_TEST((count[0] > 100 && count[1] > 100), "both bodies have hanging nodes");
+    BOOST_TEST(parents_free, "no parent of a hanging node hangs");
+    BOOST_TEST(near(weight_error, 0, 1e-14, "weights of the parents add up to 1"));
+    BOOST_TEST(near(error, 0, 1e-15, "hanging nodes lie at the mean of their parents [m]"));
 
     // an equal strain everywhere must leave no force on inner nodes, across all jumps of cell size
     const double H[3][3] = {{1e-6, 2e-6, 0}, {-1e-6, 5e-7, 1e-6}, {3e-7, 0, 1e-6}};
@@ -116,7 +118,8 @@ namespace
       for (int i = 0; i < 3; ++i)
         force[outer[n]] = std::max(force[outer[n]], std::abs(solid.force[4 * n + i]));
     MPI_Allreduce(MPI_IN_PLACE, force, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-    check_near(force[0] / force[1], 0, 1e-9, "equal strain: force on inner nodes over that on the surface");
+    BOOST_TEST(
+      near(force[0] / force[1], 0, 1e-9, "equal strain: force on inner nodes over that on the surface"));
   }
 
   /// The arc coordinate jumps opposite to the contact: cells there lie far from the fine ones all the same.
@@ -134,9 +137,9 @@ namespace
         count[1] += above && mesh.cell_level[c] > 0;
       }
     MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
-    check(count[0] > 1000 && count[1] == 0,
-          "no cell of the wheel above its axle is divided, " + std::to_string(count[1]) + " of " +
-            std::to_string(count[0]));
+    BOOST_TEST((count[0] > 1000 && count[1] == 0),
+               "no cell of the wheel above its axle is divided, " + std::to_string(count[1]) + " of " +
+                 std::to_string(count[0]));
   }
 
   void
@@ -168,8 +171,8 @@ namespace
     for (const double f : solid.force)
       worst[1] = std::max(worst[1], std::abs(f));
     MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-    check_near(worst[0], 0, 5, "ten turns of the wheel and 29 m of way: largest stress [Pa]");
-    check_near(worst[1], 0, 1e-3, "ten turns of the wheel and 29 m of way: largest nodal force [N]");
+    BOOST_TEST(near(worst[0], 0, 5, "ten turns of the wheel and 29 m of way: largest stress [Pa]"));
+    BOOST_TEST(near(worst[1], 0, 1e-3, "ten turns of the wheel and 29 m of way: largest nodal force [N]"));
     std::fill(solid.displacement.begin(), solid.displacement.end(), 0.);
   }
 
@@ -241,28 +244,26 @@ namespace
       {
         const std::string &n = body_name[static_cast<int>(surface->body)];
         const Sagitta      s = sagitta(model, *surface);
-        check_near(s.nodes, 0, 1e-9, n + ": offset of the true profile at nodes [m]");
-        check(s.least > 0,
-              n + ": offset between nodes is positive, least " + std::to_string(1e6 * s.least) + " um");
-        check_near(s.error,
-                   0,
-                   0.03,
-                   n + ": offset between nodes over h^2/8R, " + std::to_string(s.compared) + " chords");
+        BOOST_TEST(near(s.nodes, 0, 1e-9, n + ": offset of the true profile at nodes [m]"));
+        BOOST_TEST(s.least > 0,
+                   n + ": offset between nodes is positive, least " + std::to_string(1e6 * s.least) + " um");
+        BOOST_TEST(near(s.error,
+                        0,
+                        0.03,
+                        n + ": offset between nodes over h^2/8R, " + std::to_string(s.compared) + " chords"));
       }
     const double step = 2 * M_PI * model.geometry.rolling_radius / model.discretization->plan().sectors / 4;
-    check_near(model.contact->lattice().spacing_along, step, 1e-12, "stations at the wheel's arc [m]");
+    BOOST_TEST(near(model.contact->lattice().spacing_along, step, 1e-12, "stations at the wheel's arc [m]"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(forest, test::Parallel)
 {
-  Parallel parallel(argc, argv);
-  Model    model = test::small_model(MPI_COMM_WORLD, 4e-3);
+  Model model = test::small_model(MPI_COMM_WORLD, 4e-3);
   sums_do_not_depend_on_ranks(model);
   running_lattices(model);
   coarse_above_the_axle(model);
   hanging_nodes(model);
   rigid_rotation(model);
-  return parallel.report();
 }

@@ -33,8 +33,8 @@ namespace
     discretization.lay(zones);
     const MeshByKeys ours   = program_mesh(discretization.local_mesh(), MPI_COMM_WORLD);
     const MeshByKeys theirs = p4est_mesh(discretization, zones, MPI_COMM_WORLD);
-    check(ours.cells == theirs.cells, where + ": cells, " + count(ours.cells, theirs.cells));
-    check(ours.nodes == theirs.nodes, where + ": nodes, " + count(ours.nodes, theirs.nodes));
+    BOOST_TEST((ours.cells == theirs.cells), where + ": cells, " + count(ours.cells, theirs.cells));
+    BOOST_TEST((ours.nodes == theirs.nodes), where + ": nodes, " + count(ours.nodes, theirs.nodes));
     bool   same_parents = ours.hanging.size() == theirs.hanging.size();
     double error        = 0;
     for (const auto &[node, parents] : theirs.hanging)
@@ -47,9 +47,9 @@ namespace
             same_parents = same_parents && found->second[p].first == parents[p].first;
             error        = std::max(error, std::abs(found->second[p].second - parents[p].second));
           }
-    check(same_parents,
-          where + ": " + std::to_string(theirs.hanging.size()) + " hanging nodes and their parents");
-    check_near(error, 0, 1e-14, where + ": weights of the parents");
+    BOOST_TEST(same_parents,
+               where + ": " + std::to_string(theirs.hanging.size()) + " hanging nodes and their parents");
+    BOOST_TEST(near(error, 0, 1e-14, where + ": weights of the parents"));
   }
 
   void
@@ -66,13 +66,11 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(forest_p4est, test::Parallel)
 {
-  Parallel parallel(argc, argv);
   judge_scene(test::small_scene(4e-3), "4 mm");
   Scene flange         = test::small_scene(2e-3);
   flange.lateral_shift = -5.5e-3; // thin blocks stay whole beside the strip, and neighbours divide others
   judge_scene(flange, "flange root, 2 mm");
-  return parallel.report();
 }

@@ -16,30 +16,30 @@ using namespace test;
 
 namespace
 {
-  void
-  values_of_the_laws()
+  BOOST_FIXTURE_TEST_CASE(values_of_the_laws, test::Parallel)
   {
     const FrictionLaw constant{0.5};
-    check_near(constant.at(0), 0.5, 0, "constant: at rest");
-    check_near(constant.at(40), 0.5, 0, "constant: at 40 m/s");
+    BOOST_TEST(near(constant.at(0), 0.5, 0, "constant: at rest"));
+    BOOST_TEST(near(constant.at(40), 0.5, 0, "constant: at 40 m/s"));
     const FrictionLaw exponential{0.5, FrictionKind::exponential, 0.2, 0.25};
-    check_near(exponential.at(0), 0.5, 1e-15, "exponential: at rest");
-    check_near(exponential.at(4 * std::log(2.)), 0.35, 1e-15, "exponential: half way after ln 2 / c");
-    check_near(exponential.at(1e3), 0.2, 1e-15, "exponential: far");
+    BOOST_TEST(near(exponential.at(0), 0.5, 1e-15, "exponential: at rest"));
+    BOOST_TEST(near(exponential.at(4 * std::log(2.)), 0.35, 1e-15, "exponential: half way after ln 2 / c"));
+    BOOST_TEST(near(exponential.at(1e3), 0.2, 1e-15, "exponential: far"));
     const FrictionLaw rational{0.5, FrictionKind::rational, 0.2, 0, 3};
-    check_near(rational.at(0), 0.5, 1e-15, "rational: at rest");
-    check_near(rational.at(3), 0.35, 1e-15, "rational: half way at the half velocity");
-    check_near(rational.at(9), 0.275, 1e-15, "rational: a quarter left at three times it");
+    BOOST_TEST(near(rational.at(0), 0.5, 1e-15, "rational: at rest"));
+    BOOST_TEST(near(rational.at(3), 0.35, 1e-15, "rational: half way at the half velocity"));
+    BOOST_TEST(near(rational.at(9), 0.275, 1e-15, "rational: a quarter left at three times it"));
     const double d = 1e-6;
     for (const FrictionLaw &law : {exponential, rational})
-      check_near(law.steepest_fall(), (law.at(0) - law.at(d)) / d, 1e-6, "slope at rest");
-    check_near(FrictionLaw{0.2, FrictionKind::rational, 0.5, 0, 3}.steepest_fall(),
-               0,
-               0,
-               "a rising law does not fall");
-    check(FrictionLaw{}.frictionless() && !FrictionLaw{0, FrictionKind::rational, 0.5, 0, 3}.frictionless() &&
-            !exponential.frictionless(),
-          "friction that is 0 at all speeds");
+      BOOST_TEST(near(law.steepest_fall(), (law.at(0) - law.at(d)) / d, 1e-6, "slope at rest"));
+    BOOST_TEST(near(FrictionLaw{0.2, FrictionKind::rational, 0.5, 0, 3}.steepest_fall(),
+                    0,
+                    0,
+                    "a rising law does not fall"));
+    BOOST_TEST((FrictionLaw{}.frictionless() &&
+                !FrictionLaw{0, FrictionKind::rational, 0.5, 0, 3}.frictionless() &&
+                !exponential.frictionless()),
+               "friction that is 0 at all speeds");
   }
 
   struct Sliding
@@ -86,8 +86,7 @@ namespace
     return result;
   }
 
-  void
-  sliding_wheel()
+  BOOST_FIXTURE_TEST_CASE(sliding_wheel, test::Parallel)
   {
     Model model = test::small_model(MPI_COMM_WORLD, 2e-3);
     struct Case
@@ -108,23 +107,14 @@ namespace
         const Sliding run = slide(model, c.law, c.speed);
         const double  mu  = c.law.at(c.speed);
         // pressures lean against the wheel's inclined surface as it moves off its lowest place
-        check_near(
-          run.force, mu, 2e-3, c.name + " at " + std::to_string(int(c.speed)) + " m/s: force over load");
-        check_near(run.excess, 0, 1e-12, c.name + ": no traction beyond the bound");
+        BOOST_TEST(near(
+          run.force, mu, 2e-3, c.name + " at " + std::to_string(int(c.speed)) + " m/s: force over load"));
+        BOOST_TEST(near(run.excess, 0, 1e-12, c.name + ": no traction beyond the bound"));
         if (mu > 0)
-          check(run.friction_energy > 0.8 * run.work && run.friction_energy < run.work,
-                c.name + ": friction takes the work that the springs do not store");
+          BOOST_TEST((run.friction_energy > 0.8 * run.work && run.friction_energy < run.work),
+                     c.name + ": friction takes the work that the springs do not store");
         else
-          check_near(run.friction_energy, 0, 0, "none: no friction work");
+          BOOST_TEST(near(run.friction_energy, 0, 0, "none: no friction work"));
       }
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  values_of_the_laws();
-  sliding_wheel();
-  return parallel.report();
-}

@@ -9,8 +9,8 @@
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/full_element.h>
 
-#include "check.h"
 #include "explicit_brick.h"
+#include "parallel.h"
 #include "scenes/dynamics.h"
 
 #include <algorithm>
@@ -88,8 +88,8 @@ namespace
     const auto      u     = nodal_field(mesh, [](const Vector &X) -> Vector {
       return {1e-3 * X[0] + 2e-3 * X[1], -1e-3 * X[1] + 5e-4 * X[2], 3e-4 * X[0] + 1e-3 * X[2]};
     });
-    check(inner.size() == 2 && mesh.hanging.size() == 12,
-          "the graded block has 2 inner and 12 hanging nodes");
+    BOOST_TEST((inner.size() == 2 && mesh.hanging.size() == 12),
+               "the graded block has 2 inner and 12 hanging nodes");
 
     const ElementBlocks blocks =
       pack_elements(cell_geometry(mesh), mesh.cells, Elasticity(), native_width, ElementForm::full);
@@ -99,8 +99,8 @@ namespace
       for (const auto &s : full_point_stress(blocks, e, u.data()))
         for (int k = 0; k < 6; ++k)
           spread = std::max(spread, std::abs(s[k] - first[k]));
-    check_near(
-      spread / std::abs(first[0]), 0, 1e-12, "patch test: equal stress at all points of distorted cells");
+    BOOST_TEST(near(
+      spread / std::abs(first[0]), 0, 1e-12, "patch test: equal stress at all points of distorted cells"));
 
     ElementEnergy energy;
     auto          f = internal_force(mesh, u, energy);
@@ -112,10 +112,10 @@ namespace
     for (std::size_t k = 0; k < f.size(); ++k)
       if (k % 4 < 3)
         sum[k % 4] += f[k];
-    check_near(
-      on_inner / largest(f), 0, 1e-12, "patch test: inner forces vanish across the jump of cell size");
+    BOOST_TEST(
+      near(on_inner / largest(f), 0, 1e-12, "patch test: inner forces vanish across the jump of cell size"));
     for (int i = 0; i < 3; ++i)
-      check_near(sum[i] / largest(f), 0, 1e-12, "patch test: surface forces are opposite and equal");
+      BOOST_TEST(near(sum[i] / largest(f), 0, 1e-12, "patch test: surface forces are opposite and equal"));
   }
 
   /// Stretch and shear, then a rotation by `angle` about an inclined axis, plus a translation.
@@ -139,10 +139,10 @@ namespace
     const LocalMesh mesh  = distorted_block();
     const double    angle = 10 * 2 * M_PI + 1;
     ElementEnergy   still, turned;
-    check_near(largest(internal_force(mesh, turned_stretch(mesh, 0, angle), still)) / 210e9,
-               0,
-               1e-13,
-               "ten turns and a translation: force over Young's modulus");
+    BOOST_TEST(near(largest(internal_force(mesh, turned_stretch(mesh, 0, angle), still)) / 210e9,
+                    0,
+                    1e-13,
+                    "ten turns and a translation: force over Young's modulus"));
     // a stretched body keeps its energy when it is turned
     still             = ElementEnergy();
     const auto f      = internal_force(mesh, turned_stretch(mesh, 0.02, 0), still);
@@ -152,8 +152,8 @@ namespace
       change = std::max(change,
                         std::abs(std::hypot(f[4 * n], f[4 * n + 1], f[4 * n + 2]) -
                                  std::hypot(g[4 * n], g[4 * n + 1], g[4 * n + 2])));
-    check_near(turned.strain / still.strain, 1, 1e-11, "energy of a stretched block after ten turns");
-    check_near(change / largest(f), 0, 1e-11, "magnitudes of its forces after ten turns");
+    BOOST_TEST(near(turned.strain / still.strain, 1, 1e-11, "energy of a stretched block after ten turns"));
+    BOOST_TEST(near(change / largest(f), 0, 1e-11, "magnitudes of its forces after ten turns"));
   }
 
   void
@@ -182,7 +182,7 @@ namespace
         u[k]  = at;
         worst = std::max(worst, std::abs((W[1] - W[0]) / (2 * h) - f[k]));
       }
-    check_near(worst / largest(f), 0, 1e-7, "force is the exact gradient of the energy");
+    BOOST_TEST(near(worst / largest(f), 0, 1e-7, "force is the exact gradient of the energy"));
 
     double force[3] = {}, moment[3] = {};
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
@@ -195,8 +195,8 @@ namespace
         }
     for (int i = 0; i < 3; ++i)
       {
-        check_near(force[i] / largest(f), 0, 1e-12, "internal forces sum to zero");
-        check_near(moment[i] / largest(f), 0, 1e-12, "internal moments sum to zero");
+        BOOST_TEST(near(force[i] / largest(f), 0, 1e-12, "internal forces sum to zero"));
+        BOOST_TEST(near(moment[i] / largest(f), 0, 1e-12, "internal moments sum to zero"));
       }
   }
 
@@ -218,8 +218,9 @@ namespace
         auto          f = internal_force(mesh, u, energy, width);
         for (std::size_t k = 0; k < f.size(); ++k)
           f[k] -= f1[k];
-        check_near(largest(f) / largest(f1), 0, 1e-14, "width " + std::to_string(width) + " equals width 1");
-        check_near(energy.strain / one.strain, 1, 1e-14, "and so does its energy");
+        BOOST_TEST(
+          near(largest(f) / largest(f1), 0, 1e-14, "width " + std::to_string(width) + " equals width 1"));
+        BOOST_TEST(near(energy.strain / one.strain, 1, 1e-14, "and so does its energy"));
       }
     AlignedVector<double> linear(u.size(), 0.);
     for (std::size_t e = 0; e < mesh.cells.size(); ++e)
@@ -232,7 +233,7 @@ namespace
       }
     for (std::size_t k = 0; k < linear.size(); ++k)
       linear[k] -= f1[k];
-    check_near(largest(linear) / largest(f1), 0, 1e-7, "stiffness matrix is the linearised kernel");
+    BOOST_TEST(near(largest(linear) / largest(f1), 0, 1e-7, "stiffness matrix is the linearised kernel"));
   }
 
   /// Uniaxial tension to 450 MPa and back to -500 MPa of a bilinear material, against the closed form:
@@ -282,15 +283,15 @@ namespace
             const std::string text = "stress " + std::to_string(stage.stress / 1e6) +
                                      " MPa, kinematic part " + std::to_string(kinematic) + ", width " +
                                      std::to_string(width);
-            check_near(worst / E, 0, 1e-14, text + ": largest error at any point over E");
-            check_near(energy.strain / volume,
-                       stage.stress * stage.stress / (2 * E),
-                       1e-10 * E * 1e-6,
-                       text + ": elastic energy density [J/m3]");
-            check_near(energy.plastic_work / volume,
-                       stage.work,
-                       1e-10 * E * 1e-6,
-                       text + ": plastic work density [J/m3]");
+            BOOST_TEST(near(worst / E, 0, 1e-14, text + ": largest error at any point over E"));
+            BOOST_TEST(near(energy.strain / volume,
+                            stage.stress * stage.stress / (2 * E),
+                            1e-10 * E * 1e-6,
+                            text + ": elastic energy density [J/m3]"));
+            BOOST_TEST(near(energy.plastic_work / volume,
+                            stage.work,
+                            1e-10 * E * 1e-6,
+                            text + ": plastic work density [J/m3]"));
           }
       }
   }
@@ -320,18 +321,17 @@ namespace
             zero   = std::max({zero, std::abs(values[5]) / values[23], asymmetry / values[23]});
             lowest = std::min(lowest, values[6] / (material.shear_modulus() * std::cbrt(g.volume)));
           }
-        check_near(zero, 0, 1e-13, "six modes without stiffness, nu = " + std::to_string(nu));
-        check(lowest > 0.01,
-              "and no seventh: lowest stiffness over mu L is " + std::to_string(lowest) +
-                ", nu = " + std::to_string(nu));
+        BOOST_TEST(near(zero, 0, 1e-13, "six modes without stiffness, nu = " + std::to_string(nu)));
+        BOOST_TEST(lowest > 0.01,
+                   "and no seventh: lowest stiffness over mu L is " + std::to_string(lowest) +
+                     ", nu = " + std::to_string(nu));
       }
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(full_element, test::Parallel)
 {
-  scenes::Program program(argc, argv);
   patch_test();
   finite_rotation();
   energy_gradient();
@@ -339,5 +339,4 @@ main(int argc, char **argv)
   for (const double kinematic : {0., 0.4, 1.})
     plastic_uniaxial(kinematic);
   rigid_modes();
-  return test::report();
 }

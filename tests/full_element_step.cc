@@ -3,7 +3,7 @@
 // The stable step of the full hexahedron: highest frequencies of meshes by power iteration, and random motion
 // of flat, nearly incompressible cells.
 
-#include "check.h"
+#include "parallel.h"
 #include "scenes/dynamics.h"
 
 #include <algorithm>
@@ -27,9 +27,9 @@ namespace
     const auto show   = [&](const std::string &name, const LocalMesh &mesh, const double most) {
       scenes::Dynamics scene(mesh, setup);
       const double     ratio = scene.highest_frequency(600) * scene.solid.stable.step / 2;
-      check(ratio < most,
-            name + ", nu = " + std::to_string(setup.material.poissons_ratio) +
-              ": highest frequency over the estimate " + std::to_string(ratio));
+      BOOST_TEST(ratio < most,
+                 name + ", nu = " + std::to_string(setup.material.poissons_ratio) +
+                   ": highest frequency over the estimate " + std::to_string(ratio));
     };
     for (const double nu : {0., 0.3, 0.49})
       {
@@ -66,16 +66,15 @@ namespace
         scene.step();
         most = std::max(most, scene.kinetic_energy() / start);
       }
-    check(most < 1.5,
-          "cells 1 : 5 : 20, nu = 0.49, 3000 steps: kinetic energy grows at most " + std::to_string(most));
+    BOOST_TEST(most < 1.5,
+               "cells 1 : 5 : 20, nu = 0.49, 3000 steps: kinetic energy grows at most " +
+                 std::to_string(most));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(full_element_step, test::Parallel)
 {
-  scenes::Program program(argc, argv);
   frequencies();
   flat_cells_at_their_step();
-  return test::report();
 }

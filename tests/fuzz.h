@@ -4,7 +4,7 @@
 // with the mutant in a file when reading it crashes or takes too long. The numbers come from a fixed
 // seed, which the test prints and takes as its first argument; the second is the number of mutants.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/base/read_file.h>
 
@@ -34,14 +34,15 @@ namespace test
   };
 
   inline FuzzOptions
-  fuzz_options(const int argc, char **argv, const unsigned long count)
+  fuzz_options(const unsigned long count)
   {
     FuzzOptions options;
-    options.count = count;
-    if (argc > 1)
-      options.seed = std::strtoul(argv[1], nullptr, 10);
-    if (argc > 2)
-      options.count = std::strtoul(argv[2], nullptr, 10);
+    options.count   = count;
+    const auto &all = boost::unit_test::framework::master_test_suite();
+    if (all.argc > 1)
+      options.seed = std::strtoul(all.argv[1], nullptr, 10);
+    if (all.argc > 2)
+      options.count = std::strtoul(all.argv[2], nullptr, 10);
     std::cout << options.count << " mutants, seed " << options.seed << " (arguments: seed, number)"
               << std::endl;
     return options;
@@ -299,7 +300,7 @@ namespace test
 
   /// Reads `count` mutants: `read` gives the message of a mutant, or an empty text when it was
   /// accepted. Every message must be right, and both must happen.
-  inline int
+  inline void
   fuzz(Mutator                                                              &mutator,
        const unsigned long                                                   count,
        const std::string                                                    &start,
@@ -328,14 +329,14 @@ namespace test
         if (!fault.empty())
           {
             keep_mutant(text);
-            check(false, "mutant " + std::to_string(n) + " (in " + failure_file + "): its message " + fault);
+            BOOST_TEST(false,
+                       "mutant " + std::to_string(n) + " (in " + failure_file + "): its message " + fault);
             break;
           }
       }
-    check(good == count,
-          std::to_string(good) + " mutants read as they should: " + std::to_string(accepted) + " accepted, " +
-            std::to_string(good - accepted) + " refused by a sentence");
-    check(accepted > 0 && accepted < good, "both happened");
-    return report();
+    BOOST_TEST((good == count),
+               std::to_string(good) + " mutants read as they should: " + std::to_string(accepted) +
+                 " accepted, " + std::to_string(good - accepted) + " refused by a sentence");
+    BOOST_TEST((accepted > 0 && accepted < good), "both happened");
   }
 } // namespace test

@@ -2,8 +2,7 @@
 
 #include "fuzz_input.h"
 
-int
-main(int argc, char **argv)
+BOOST_AUTO_TEST_CASE(fuzz_input_400)
 {
-  return test::fuzz_input(argc, argv, 400);
+  test::fuzz_input(400);
 }

@@ -66,27 +66,25 @@ namespace test
       }
   }
 
-  inline int
-  fuzz_input(const int argc, char **argv, const unsigned long count)
+  inline void
+  fuzz_input(const unsigned long count)
   {
-    const FuzzOptions options = fuzz_options(argc, argv, count);
+    const FuzzOptions options = fuzz_options(count);
     auto              texts   = seed_texts(WHEELRAIL_SOURCE_DIR "/prm", {".prm"});
-    check(!texts.empty(),
-          "seeds: " + std::to_string(texts.size()) + " files of prm/ and the listing of all entries");
+    BOOST_TEST(!texts.empty(),
+               "seeds: " + std::to_string(texts.size()) + " files of prm/ and the listing of all entries");
     texts.push_back(wheelrail::print_parameters(wheelrail::Scene()));
     Mutator mutator(options.seed, texts, input_words());
     // in a folder with the files that the seeds include
     const std::string folder = "fuzz_input_" + std::to_string(options.count), name = folder + "/mutant.prm";
     std::filesystem::remove_all(folder);
     std::filesystem::copy(WHEELRAIL_SOURCE_DIR "/prm", folder);
-    const int result =
-      fuzz(mutator, options.count, folder + "/", [&](const std::string &text, const unsigned long n) {
-        // half of them as a file, half as a text, which may hold any byte
-        if (n % 2 == 0)
-          std::ofstream(name, std::ios::binary) << text;
-        return read_mutant(text, name, n % 2 == 0);
-      });
+    fuzz(mutator, options.count, folder + "/", [&](const std::string &text, const unsigned long n) {
+      // half of them as a file, half as a text, which may hold any byte
+      if (n % 2 == 0)
+        std::ofstream(name, std::ios::binary) << text;
+      return read_mutant(text, name, n % 2 == 0);
+    });
     std::filesystem::remove_all(folder);
-    return result;
   }
 } // namespace test

@@ -3,8 +3,7 @@
 
 #include "fuzz_input.h"
 
-int
-main(int argc, char **argv)
+BOOST_AUTO_TEST_CASE(fuzz_input_10000)
 {
-  return test::fuzz_input(argc, argv, 10000);
+  test::fuzz_input(10000);
 }

@@ -4,8 +4,7 @@
 
 #include "fuzz_profiles.h"
 
-int
-main(int argc, char **argv)
+BOOST_AUTO_TEST_CASE(fuzz_profiles_300)
 {
-  return test::fuzz_profiles(argc, argv, 300);
+  test::fuzz_profiles(300);
 }

@@ -60,35 +60,33 @@ namespace test
       }
   }
 
-  inline int
-  fuzz_profiles(const int argc, char **argv, const unsigned long count)
+  inline void
+  fuzz_profiles(const unsigned long count)
   {
-    const FuzzOptions options = fuzz_options(argc, argv, count);
+    const FuzzOptions options = fuzz_options(count);
     const auto        texts =
       seed_texts(WHEELRAIL_TEST_DIR "/profiles", {".prr", ".prw", ".ban", ".whl", ".txt", ".dat", ".csv"});
-    check(!texts.empty(), "seeds: " + std::to_string(texts.size()) + " files of tests/profiles/");
+    BOOST_TEST(!texts.empty(), "seeds: " + std::to_string(texts.size()) + " files of tests/profiles/");
     Mutator           mutator(options.seed, texts, profile_words());
     const std::string name = "mutant.txt";
-    const int         result =
-      fuzz(mutator, options.count, name + ":", [&](const std::string &text, const unsigned long n) {
-        using namespace wheelrail;
-        // mostly as a user would give them, sometimes against the file
-        ProfileFileOptions how;
-        how.kind =
-          (text.find("S1002") != std::string::npos) != (n % 5 == 0) ? ProfileKind::wheel : ProfileKind::rail;
-        how.unit   = n % 16 == 1   ? ProfileUnit::millimetre
-                     : n % 16 == 6 ? ProfileUnit::metre
-                     : n % 16 == 9 ? ProfileUnit::inch
-                                   : ProfileUnit::automatic;
-        how.mirror = n % 3 == 0   ? ProfileMirror::automatic
-                     : n % 3 == 1 ? ProfileMirror::yes
-                                  : ProfileMirror::no;
-        how.noise  = n % 7 == 0 ? 50e-6 : -1;
-        if (n % 2 == 0)
-          std::ofstream(name, std::ios::binary) << text;
-        return read_profile_mutant(text, name, how, n % 2 == 0);
-      });
+    fuzz(mutator, options.count, name + ":", [&](const std::string &text, const unsigned long n) {
+      using namespace wheelrail;
+      // mostly as a user would give them, sometimes against the file
+      ProfileFileOptions how;
+      how.kind =
+        (text.find("S1002") != std::string::npos) != (n % 5 == 0) ? ProfileKind::wheel : ProfileKind::rail;
+      how.unit   = n % 16 == 1   ? ProfileUnit::millimetre
+                   : n % 16 == 6 ? ProfileUnit::metre
+                   : n % 16 == 9 ? ProfileUnit::inch
+                                 : ProfileUnit::automatic;
+      how.mirror = n % 3 == 0   ? ProfileMirror::automatic
+                   : n % 3 == 1 ? ProfileMirror::yes
+                                : ProfileMirror::no;
+      how.noise  = n % 7 == 0 ? 50e-6 : -1;
+      if (n % 2 == 0)
+        std::ofstream(name, std::ios::binary) << text;
+      return read_profile_mutant(text, name, how, n % 2 == 0);
+    });
     std::filesystem::remove(name);
-    return result;
   }
 } // namespace test

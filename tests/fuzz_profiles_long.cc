@@ -3,8 +3,7 @@
 
 #include "fuzz_profiles.h"
 
-int
-main(int argc, char **argv)
+BOOST_AUTO_TEST_CASE(fuzz_profiles_12000)
 {
-  return test::fuzz_profiles(argc, argv, 12000);
+  test::fuzz_profiles(12000);
 }

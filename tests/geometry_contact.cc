@@ -1,8 +1,8 @@
 // Placement and 2D-Geo: contact points against the reference tables for all shifts and both roll
 // modes, profiles in the contact frame, interpenetration, refused shifts.
 
-#include "check.h"
 #include "error_of.h"
+#include "near.h"
 #include "reference_table.h"
 
 #include <wheelrail/application/geometry_command.h>
@@ -29,14 +29,14 @@ namespace
   {
     const TrackDimensions track;
     const Placement a = place_rail(rail_profile("54E1"), track), b = place_rail(rail_profile("60E1"), track);
-    check_near((0.75 - a.origin.x) * 1e3, 752.066413, 1e-6, "54E1 crown from the track centre [mm]");
-    check_near(a.origin.y * 1e3, -0.093706, 1e-6, "54E1 crown below the highest point [mm]");
-    check_near((0.75 - b.origin.x) * 1e3, 753.034723, 1e-6, "60E1 crown from the track centre [mm]");
-    check_near(b.origin.y * 1e3, -0.093706, 1e-6, "60E1 crown below the highest point [mm]");
+    BOOST_TEST(near((0.75 - a.origin.x) * 1e3, 752.066413, 1e-6, "54E1 crown from the track centre [mm]"));
+    BOOST_TEST(near(a.origin.y * 1e3, -0.093706, 1e-6, "54E1 crown below the highest point [mm]"));
+    BOOST_TEST(near((0.75 - b.origin.x) * 1e3, 753.034723, 1e-6, "60E1 crown from the track centre [mm]"));
+    BOOST_TEST(near(b.origin.y * 1e3, -0.093706, 1e-6, "60E1 crown below the highest point [mm]"));
     const Point2 p = {0.003, -0.02};
-    check_near(norm(a.to_section(a.to_track(p)) - p), 0, 1e-16, "to_section undoes to_track [m]");
-    check(a.to_track({0, 0.1}).x > a.to_track({0, 0}).x, "the rail leans towards the track centre");
-    check(a.to_track({0.01, 0}).x < a.to_track({0, 0}).x, "the field side lies at smaller X");
+    BOOST_TEST(near(norm(a.to_section(a.to_track(p)) - p), 0, 1e-16, "to_section undoes to_track [m]"));
+    BOOST_TEST((a.to_track({0, 0.1}).x > a.to_track({0, 0}).x), "the rail leans towards the track centre");
+    BOOST_TEST((a.to_track({0.01, 0}).x < a.to_track({0, 0}).x), "the field side lies at smaller X");
   }
 
   /// The tables hold a wheelset with the shift positive to the right. The modelled wheel is the
@@ -49,7 +49,7 @@ namespace
     const WheelProfile    wheel = wheel_profile("S1002");
     const TrackDimensions track;
     const auto            table = read_table("contact_points_54E1.csv");
-    check(table.size() == 36, "36 contact points in the table");
+    BOOST_TEST(table.size() == 36, "36 contact points in the table");
 
     double point = 0, angle = 0, radius = 0, roll = 0, lift = 0, rail_radius = 0, wheel_radius = 0,
            second = 0, place = 0;
@@ -75,9 +75,9 @@ namespace
                                         std::abs(1e3 * c.frame.origin.y - number(13))});
         rail_radius         = std::max(rail_radius, std::abs(1e3 / c.rail_curvature / number(16) - 1));
         wheel_radius        = std::max(wheel_radius, std::abs(1e3 / c.wheel_curvature / number(17) - 1));
-        check(c.wheel_segment == row[7] && c.rail_segment == row[11],
-              "zone " + row[7] + " on '" + row[11] + "' at shift " + row[1] + " mm, " + row[0] + ", " +
-                row[2]);
+        BOOST_TEST((c.wheel_segment == row[7] && c.rail_segment == row[11]),
+                   "zone " + row[7] + " on '" + row[11] + "' at shift " + row[1] + " mm, " + row[0] + ", " +
+                     row[2]);
         if (row.size() > 19 && row[19].size() > 1)
           {
             const auto at = row[19].find('@');
@@ -86,15 +86,15 @@ namespace
                                       std::abs(c.second_rail_x - 1e-3 * std::stod(row[19].substr(at + 1)))});
           }
       }
-    check_near(point, 0, 1e-4, "contact points, largest difference [mm] (asked: 0.02)");
-    check_near(angle, 0, 1e-4, "contact angle, largest difference [degrees] (asked: 0.05)");
-    check_near(radius, 0, 1e-5, "rolling radius, largest difference [mm] (asked: 0.001)");
-    check_near(roll, 0, 1e-8, "roll, largest difference [rad]");
-    check_near(lift, 0, 1e-5, "height of the axle, largest difference [mm]");
-    check_near(place, 0, 1e-4, "place in the track plane, largest difference [mm]");
-    check_near(rail_radius, 0, 1e-4, "lateral radius of the rail, largest relative difference");
-    check_near(wheel_radius, 0, 1e-3, "lateral radius of the wheel, largest relative difference");
-    check_near(second, 0, 1e-5, "second minimum: gap [mm], place [m]");
+    BOOST_TEST(near(point, 0, 1e-4, "contact points, largest difference [mm] (asked: 0.02)"));
+    BOOST_TEST(near(angle, 0, 1e-4, "contact angle, largest difference [degrees] (asked: 0.05)"));
+    BOOST_TEST(near(radius, 0, 1e-5, "rolling radius, largest difference [mm] (asked: 0.001)"));
+    BOOST_TEST(near(roll, 0, 1e-8, "roll, largest difference [rad]"));
+    BOOST_TEST(near(lift, 0, 1e-5, "height of the axle, largest difference [mm]"));
+    BOOST_TEST(near(place, 0, 1e-4, "place in the track plane, largest difference [mm]"));
+    BOOST_TEST(near(rail_radius, 0, 1e-4, "lateral radius of the rail, largest relative difference"));
+    BOOST_TEST(near(wheel_radius, 0, 1e-3, "lateral radius of the wheel, largest relative difference"));
+    BOOST_TEST(near(second, 0, 1e-5, "second minimum: gap [mm], place [m]"));
   }
 
   void
@@ -115,8 +115,9 @@ namespace
         none = std::max(none, std::abs(difference(RollMode::none) - std::stod(row[1])));
         both = std::max(both, std::abs(difference(RollMode::from_contact) - std::stod(row[2])));
       }
-    check_near(none, 0, 1e-4, "rolling radius difference 0 to 7 mm without roll, largest difference [mm]");
-    check_near(both, 0, 1e-4, "rolling radius difference 0 to 7 mm with roll, largest difference [mm]");
+    BOOST_TEST(
+      near(none, 0, 1e-4, "rolling radius difference 0 to 7 mm without roll, largest difference [mm]"));
+    BOOST_TEST(near(both, 0, 1e-4, "rolling radius difference 0 to 7 mm with roll, largest difference [mm]"));
   }
 
   void
@@ -129,9 +130,10 @@ namespace
         const std::string     where = " at shift " + std::to_string(shift * 1e3) + " mm";
         const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), {shift, RollMode::none});
         const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
-        check_near(undeformed_distance(w, r, 0), 0, round_off, "distance at the contact point [m]" + where);
-        check_near(
-          w.at(0).slope - r.at(0).slope, 0, 1e-8, "difference of slopes at the contact point" + where);
+        BOOST_TEST(
+          near(undeformed_distance(w, r, 0), 0, round_off, "distance at the contact point [m]" + where));
+        BOOST_TEST(
+          near(w.at(0).slope - r.at(0).slope, 0, 1e-8, "difference of slopes at the contact point" + where));
 
         double       off = 0, slope = 0, lowest = 0;
         const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
@@ -158,12 +160,12 @@ namespace
                   }
               }
           }
-        check_near(off, 0, round_off, "n(s) against the curve itself [m]" + where);
-        check_near(slope, 0, 1e-6, "dn/ds against difference quotient" + where);
-        check(lowest >= -round_off, "nothing interpenetrates in touch" + where);
+        BOOST_TEST(near(off, 0, round_off, "n(s) against the curve itself [m]" + where));
+        BOOST_TEST(near(slope, 0, 1e-6, "dn/ds against difference quotient" + where));
+        BOOST_TEST(lowest >= -round_off, "nothing interpenetrates in touch" + where);
 
         const auto ranges = interpenetration(w, r, 1e-4);
-        check(!ranges.empty(), "there is interpenetration at 0.1 mm" + where);
+        BOOST_TEST(!ranges.empty(), "there is interpenetration at 0.1 mm" + where);
         double edges         = 0;
         bool   holds_contact = false;
         for (const Range &range : ranges)
@@ -173,17 +175,18 @@ namespace
                                       std::abs(undeformed_distance(w, r, range.s1) - 1e-4)});
             holds_contact = holds_contact || (range.s0 < 0 && range.s1 > 0);
           }
-        check_near(edges, 0, round_off, "distance at the ends of interpenetration less 0.1 mm [m]" + where);
-        check(holds_contact, "the contact point lies in the interpenetration" + where);
+        BOOST_TEST(
+          near(edges, 0, round_off, "distance at the ends of interpenetration less 0.1 mm [m]" + where));
+        BOOST_TEST(holds_contact, "the contact point lies in the interpenetration" + where);
       }
 
     const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), {0, RollMode::none});
     const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
     const double          kappa = c.rail_curvature + c.wheel_curvature;
-    check_near(undeformed_distance(w, r, 1e-4) / (0.5e-8 * kappa),
-               1,
-               0.05,
-               "distance near the point is kappa s^2 / 2, ratio");
+    BOOST_TEST(near(undeformed_distance(w, r, 1e-4) / (0.5e-8 * kappa),
+                    1,
+                    0.05,
+                    "distance near the point is kappa s^2 / 2, ratio"));
   }
 
   void
@@ -194,8 +197,9 @@ namespace
     });
     std::ostringstream number;
     number << 1e3 * shift << " mm";
-    check(text.find(number.str()) != std::string::npos && text.find("are possible") != std::string::npos,
-          "a shift of " + number.str() + " is refused: " + text);
+    BOOST_TEST(
+      (text.find(number.str()) != std::string::npos && text.find("are possible") != std::string::npos),
+      "a shift of " + number.str() + " is refused: " + text);
   }
 
   void
@@ -216,8 +220,8 @@ namespace
           for (int k = 0; k <= 400; ++k)
             lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
         }
-    check_near(worst, 0, round_off, "60E1: wheel and rail points coincide over -6 to 6 mm [m]");
-    check_near(lowest, 0, round_off, "60E1: nothing interpenetrates over -6 to 6 mm [m]");
+    BOOST_TEST(near(worst, 0, round_off, "60E1: wheel and rail points coincide over -6 to 6 mm [m]"));
+    BOOST_TEST(near(lowest, 0, round_off, "60E1: nothing interpenetrates over -6 to 6 mm [m]"));
   }
 
   void
@@ -225,20 +229,20 @@ namespace
   {
     Scene              scene;
     std::ostringstream plain, wide;
-    check(run_geometry_command(scene, read_profiles(scene), {}, plain) == 0, "the command returns 0");
+    BOOST_TEST((run_geometry_command(scene, read_profiles(scene), {}, plain) == 0), "the command returns 0");
     const std::string text = plain.str();
-    check(text.find("-29.731   -26.076   19.628   463.8240") != std::string::npos,
-          "the command lists shift -5.5 mm");
-    check(text.find("at 0.672 mm: wheel x from") != std::string::npos,
-          "the command finds the jump near 0.67 mm");
-    check(text.find("undeformed distance at s = -10 mm") != std::string::npos,
-          "the command gives the details");
+    BOOST_TEST((text.find("-29.731   -26.076   19.628   463.8240") != std::string::npos),
+               "the command lists shift -5.5 mm");
+    BOOST_TEST((text.find("at 0.672 mm: wheel x from") != std::string::npos),
+               "the command finds the jump near 0.67 mm");
+    BOOST_TEST((text.find("undeformed distance at s = -10 mm") != std::string::npos),
+               "the command gives the details");
     std::ostringstream two;
     run_geometry_command(scene, read_profiles(scene), {-4.6e-3}, two);
-    check(two.str().find("Further points that 0.1 mm of approach would close\n\n    shift      gap") !=
-              std::string::npos &&
-            two.str().find("\n    -4.60   0.0086   -18.560   -16.047    7.679") != std::string::npos,
-          "further points have lines of their own");
+    BOOST_TEST((two.str().find("Further points that 0.1 mm of approach would close\n\n    shift      gap") !=
+                  std::string::npos &&
+                two.str().find("\n    -4.60   0.0086   -18.560   -16.047    7.679") != std::string::npos),
+               "further points have lines of their own");
     // cones on both sides: conicity is half the sum of their slopes, around where both roll alike
     Scene cones                  = scene;
     cones.both_wheels            = true;
@@ -247,31 +251,32 @@ namespace
     const WheelsetProfiles sides = read_wheelset_profiles(cones);
     std::ostringstream     unlike;
     run_geometry_command(cones, sides.right, {0}, unlike, &sides.left);
-    check(unlike.str().find("460.2709     0.3225") != std::string::npos,
-          "difference of the radii of two cones: 0.32254 mm");
-    check(unlike.str().find("amplitude 1 mm   0.0375") != std::string::npos, "conicity of two cones");
+    BOOST_TEST((unlike.str().find("460.2709     0.3225") != std::string::npos),
+               "difference of the radii of two cones: 0.32254 mm");
+    BOOST_TEST((unlike.str().find("amplitude 1 mm   0.0375") != std::string::npos), "conicity of two cones");
     // the line lies 4.3 mm to one side, where the flange comes to the rail 2 mm farther; not on a wider track
     cones.track.gauge = 1.445;
     std::ostringstream wider;
     run_geometry_command(cones, sides.right, {0}, wider, &sides.left);
     for (const char *const amplitude : {"1", "2", "3", "4"})
-      check(wider.str().find(std::string("amplitude ") + amplitude + " mm   0.0375") != std::string::npos,
-            std::string("conicity of two cones on a wide track, amplitude [mm]: ") + amplitude);
+      BOOST_TEST(
+        (wider.str().find(std::string("amplitude ") + amplitude + " mm   0.0375") != std::string::npos),
+        std::string("conicity of two cones on a wide track, amplitude [mm]: ") + amplitude);
     std::ostringstream rolled;
     scene.roll       = RollMode::given;
     scene.roll_angle = 2e-3;
     run_geometry_command(scene, read_profiles(scene), {0}, rolled);
-    check(rolled.str().find("Roll 2 mrad") != std::string::npos &&
-            rolled.str().find("Roll none") == std::string::npos &&
-            rolled.str().find("    0.00   2.0000") != std::string::npos,
-          "the table has the roll that is given");
+    BOOST_TEST((rolled.str().find("Roll 2 mrad") != std::string::npos &&
+                rolled.str().find("Roll none") == std::string::npos &&
+                rolled.str().find("    0.00   2.0000") != std::string::npos),
+               "the table has the roll that is given");
     scene.roll          = RollMode::none;
     scene.lateral_shift = 0.06;
-    check(run_geometry_command(scene, read_profiles(scene), {0.06, 0}, wide) == 1,
-          "a scene without contact returns 1");
-    check(wide.str().find("no contact") != std::string::npos &&
-            wide.str().find("460.4288") != std::string::npos,
-          "a shift without contact gets its line, the others are listed");
+    BOOST_TEST((run_geometry_command(scene, read_profiles(scene), {0.06, 0}, wide) == 1),
+               "a scene without contact returns 1");
+    BOOST_TEST((wide.str().find("no contact") != std::string::npos &&
+                wide.str().find("460.4288") != std::string::npos),
+               "a shift without contact gets its line, the others are listed");
   }
 
   /// Other tracks: wheel and rail touch in one point and nowhere overlap.
@@ -302,14 +307,13 @@ namespace
               before = c.rolling_radius;
             }
         }
-    check_near(lowest, 0, round_off, "other tracks: nothing interpenetrates [m]");
-    check_near(steps, 0, 1e-9, "other tracks: the rolling radius falls with the shift [m]");
+    BOOST_TEST(near(lowest, 0, round_off, "other tracks: nothing interpenetrates [m]"));
+    BOOST_TEST(near(steps, 0, 1e-9, "other tracks: the rolling radius falls with the shift [m]"));
   }
 } // namespace
 
 
-int
-main()
+BOOST_AUTO_TEST_CASE(geometry_contact)
 {
   test_placement();
   test_reference_points();
@@ -323,5 +327,4 @@ main()
   refused(-60e-3, RollMode::none);
   refused(0.2, RollMode::none);
   refused(-18e-3, RollMode::from_contact);
-  return report();
 }

@@ -3,8 +3,8 @@
 // Curves and standard profiles: elements against the tables of the standards, joints, section
 // properties against the catalogue, curve operations against each other.
 
-#include "check.h"
 #include "error_of.h"
+#include "near.h"
 #include "reference_table.h"
 #include "section_properties.h"
 
@@ -50,14 +50,14 @@ namespace
     const RailProfile rail  = rail_profile(name);
     const auto        table = read_table(name + "_elements.csv");
     const auto       &s     = rail.outline.segments();
-    check(s.size() == 2 * table.size(), name + " outline has twice the segments of the table");
-    check(rail.head.segments().size() == 10, name + " head has ten segments");
+    BOOST_TEST((s.size() == 2 * table.size()), name + " outline has twice the segments of the table");
+    BOOST_TEST(rail.head.segments().size() == 10, name + " head has ten segments");
 
     double worst_point = 0, worst_centre = 0, worst_radius = 0;
     for (std::size_t i = 0; i < table.size(); ++i)
       {
         const auto number = [&](const int column) { return 1e-3 * std::stod(table[i][column]); };
-        check(s[i].name == table[i][2], name + " segment '" + s[i].name + "' has its name");
+        BOOST_TEST((s[i].name == table[i][2]), name + " segment '" + s[i].name + "' has its name");
         worst_point = std::max({worst_point,
                                 norm(s[i].start - Point2{number(3), number(4)}),
                                 norm(s[i].end - Point2{number(5), number(6)})});
@@ -67,36 +67,36 @@ namespace
             worst_radius = std::max(worst_radius, std::abs(s[i].radius - number(9)));
           }
       }
-    check_near(worst_point, 0, 1e-12, name + " joints against the table [m]");
-    check_near(worst_centre, 0, 1e-12, name + " centres against the table [m]");
-    check_near(worst_radius, 0, 1e-15, name + " radii against the table [m]");
+    BOOST_TEST(near(worst_point, 0, 1e-12, name + " joints against the table [m]"));
+    BOOST_TEST(near(worst_centre, 0, 1e-12, name + " centres against the table [m]"));
+    BOOST_TEST(near(worst_radius, 0, 1e-15, name + " radii against the table [m]"));
 
     const auto outline_joint = worst_joint(rail.outline, true), head_joint = worst_joint(rail.head, false);
-    check_near(std::max(outline_joint.first, head_joint.first), 0, 1e-15, name + " jump at joints [m]");
-    check_near(outline_joint.second, 0, 1e-9, name + " kink at joints [degrees]");
-    check_near(head_joint.second, 0, 1e-9, name + " kink at joints of the head [degrees]");
-    check(rail.head.at(0).position.x > 0 && rail.head.at(5).curvature > 0,
-          name + " head runs to the gauge side");
-    check_near(norm(rail.head.at(5).position), 0, 1e-15, name + " head passes over the crown [m]");
+    BOOST_TEST(near(std::max(outline_joint.first, head_joint.first), 0, 1e-15, name + " jump at joints [m]"));
+    BOOST_TEST(near(outline_joint.second, 0, 1e-9, name + " kink at joints [degrees]"));
+    BOOST_TEST(near(head_joint.second, 0, 1e-9, name + " kink at joints of the head [degrees]"));
+    BOOST_TEST((rail.head.at(0).position.x > 0 && rail.head.at(5).curvature > 0),
+               name + " head runs to the gauge side");
+    BOOST_TEST(near(norm(rail.head.at(5).position), 0, 1e-15, name + " head passes over the crown [m]"));
   }
 
   void
   test_sections()
   {
     const test::SectionProperties a = test::section_properties(rail_profile("54E1").outline);
-    check_near(a.area * 1e6, 6977.4416, 1e-4, "54E1 area [mm2]");
-    check_near(a.area * 1e6, 6977, 6.977, "54E1 area against the catalogue [mm2]");
-    check_near((a.centroid.y + 0.159) * 1e3, 75.1279, 1e-4, "54E1 centroid above the base [mm]");
-    check_near(a.centroid.x, 0, 1e-15, "54E1 centroid on the axis [m]");
-    check_near(a.Ix * 1e8, 2337.9, 2.3, "54E1 Ix against the catalogue [cm4]");
-    check_near(a.Ix * 1e8, 2337.8691, 1e-4, "54E1 Ix [cm4]");
-    check_near(a.Iy * 1e8, 419.0617, 1e-4, "54E1 Iy [cm4]");
+    BOOST_TEST(near(a.area * 1e6, 6977.4416, 1e-4, "54E1 area [mm2]"));
+    BOOST_TEST(near(a.area * 1e6, 6977, 6.977, "54E1 area against the catalogue [mm2]"));
+    BOOST_TEST(near((a.centroid.y + 0.159) * 1e3, 75.1279, 1e-4, "54E1 centroid above the base [mm]"));
+    BOOST_TEST(near(a.centroid.x, 0, 1e-15, "54E1 centroid on the axis [m]"));
+    BOOST_TEST(near(a.Ix * 1e8, 2337.9, 2.3, "54E1 Ix against the catalogue [cm4]"));
+    BOOST_TEST(near(a.Ix * 1e8, 2337.8691, 1e-4, "54E1 Ix [cm4]"));
+    BOOST_TEST(near(a.Iy * 1e8, 419.0617, 1e-4, "54E1 Iy [cm4]"));
 
     const test::SectionProperties b = test::section_properties(rail_profile("60E1").outline);
-    check_near(b.area * 1e6, 7670.0002, 1e-4, "60E1 area [mm2]");
-    check_near((b.centroid.y + 0.172) * 1e3, 80.9235, 1e-4, "60E1 centroid above the base [mm]");
-    check_near(b.Ix * 1e8, 3038.3127, 1e-4, "60E1 Ix [cm4]");
-    check_near(b.Iy * 1e8, 512.3049, 1e-4, "60E1 Iy [cm4]");
+    BOOST_TEST(near(b.area * 1e6, 7670.0002, 1e-4, "60E1 area [mm2]"));
+    BOOST_TEST(near((b.centroid.y + 0.172) * 1e3, 80.9235, 1e-4, "60E1 centroid above the base [mm]"));
+    BOOST_TEST(near(b.Ix * 1e8, 3038.3127, 1e-4, "60E1 Ix [cm4]"));
+    BOOST_TEST(near(b.Iy * 1e8, 512.3049, 1e-4, "60E1 Iy [cm4]"));
 
     Segment circle;
     circle.kind      = Segment::Kind::arc;
@@ -110,9 +110,9 @@ namespace
     back.angle_start                = pi;
     back.angle_end                  = 2 * pi;
     const test::SectionProperties c = test::section_properties(Curve({circle, back}));
-    check_near(c.area, 4 * pi, 1e-13, "circle: area");
-    check_near(c.Ix, 4 * pi, 1e-13, "circle: second moment");
-    check_near(c.centroid.y, 3, 1e-14, "circle: centroid");
+    BOOST_TEST(near(c.area, 4 * pi, 1e-13, "circle: area"));
+    BOOST_TEST(near(c.Ix, 4 * pi, 1e-13, "circle: second moment"));
+    BOOST_TEST(near(c.centroid.y, 3, 1e-14, "circle: centroid"));
   }
 
   void
@@ -121,42 +121,42 @@ namespace
     const Curve tread = wheel_profile("S1002").tread;
     const auto &s     = tread.segments();
     const auto  table = read_table("S1002_elements.csv");
-    check(s.size() == table.size() + 1, "S1002 has its eight zones and the chamfer");
-    check_near(
-      norm(s[0].start - Point2{0.065, 7.635676380e-3}), 0, 1e-12, "chamfer starts at (65, 7.6357) mm [m]");
+    BOOST_TEST((s.size() == table.size() + 1), "S1002 has its eight zones and the chamfer");
+    BOOST_TEST(near(
+      norm(s[0].start - Point2{0.065, 7.635676380e-3}), 0, 1e-12, "chamfer starts at (65, 7.6357) mm [m]"));
     double worst = 0;
     for (std::size_t i = 1; i < s.size(); ++i)
       {
         const auto &row    = table[table.size() - i];
         const auto  number = [&](const int column) { return 1e-3 * std::stod(row[column]); };
-        check(s[i].name == row[0], "S1002 zone " + row[0]);
+        BOOST_TEST((s[i].name == row[0]), "S1002 zone " + row[0]);
         worst = std::max({worst,
                           norm(s[i].start - Point2{number(3), -number(18)}),
                           norm(s[i].end - Point2{number(2), -number(17)})});
         if (i > 1) // the joint with the zone at the larger x
           {
             const Point2 a = tread.at(i - 1e-13).tangent, b = tread.at(i).tangent;
-            check_near(1e3 * (s[i].start.y - s[i - 1].end.y),
-                       1e3 * number(19),
-                       1e-9 + std::abs(number(19)), // four digits in the table
-                       "joint " + row[0] + "|" + s[i - 1].name + ": jump [mm]");
-            check_near(degrees_between(a, b),
-                       1e3 * number(20),
-                       1e-9 + std::abs(number(20)),
-                       "joint " + row[0] + "|" + s[i - 1].name + ": kink [deg]");
+            BOOST_TEST(near(1e3 * (s[i].start.y - s[i - 1].end.y),
+                            1e3 * number(19),
+                            1e-9 + std::abs(number(19)), // four digits in the table
+                            "joint " + row[0] + "|" + s[i - 1].name + ": jump [mm]"));
+            BOOST_TEST(near(degrees_between(a, b),
+                            1e3 * number(20),
+                            1e-9 + std::abs(number(20)),
+                            "joint " + row[0] + "|" + s[i - 1].name + ": kink [deg]"));
           }
       }
-    check_near(worst, 0, 1e-12, "S1002 zone ends against the table [m]");
+    BOOST_TEST(near(worst, 0, 1e-12, "S1002 zone ends against the table [m]"));
 
     const auto at_height = [&](const double F) {
       return tread.at(tread.roots([F](const Point2 &p) { return p.y + F; }, 4, 7.5).front()).position.x;
     };
     const auto tip = tread.roots([](const Point2 &p) { return p.x + 0.055; }, 1, 9);
-    check_near(-tread.at(tip.at(0)).position.y * 1e3, 28, 1e-9, "flange height [mm]");
-    check_near((at_height(0.010) + 0.070) * 1e3, 32.5, 5e-4, "flange thickness [mm]");
-    check_near((at_height(0.010) - at_height(0.026)) * 1e3, 10.794, 5e-4, "flange qR [mm]");
+    BOOST_TEST(near(-tread.at(tip.at(0)).position.y * 1e3, 28, 1e-9, "flange height [mm]"));
+    BOOST_TEST(near((at_height(0.010) + 0.070) * 1e3, 32.5, 5e-4, "flange thickness [mm]"));
+    BOOST_TEST(near((at_height(0.010) - at_height(0.026)) * 1e3, 10.794, 5e-4, "flange qR [mm]"));
     const Point2 flank = tread.at(5.5).tangent;
-    check_near(std::atan2(-flank.y, -flank.x) * 180 / pi, 70, 1e-6, "flange angle [deg]");
+    BOOST_TEST(near(std::atan2(-flank.y, -flank.x) * 180 / pi, 70, 1e-6, "flange angle [deg]"));
   }
 
   void
@@ -192,12 +192,13 @@ namespace
           std::max(length_error, std::abs(curve.length(0, t) + curve.length(t, 1e9) - total) / total);
         advance_error = std::max(advance_error, std::abs(curve.advance(t, -curve.length(t / 3, t)) - t / 3));
       }
-    check_near(tangent_error, 0, 1e-6, name + ": tangent against difference quotient [rad]");
-    check_near(curvature_error, 0, 1e-6, name + ": curvature against turning of the tangent, relative");
-    check_near(closest_error, 0, 1e-13, name + ": closest point to a point 0.5 mm beside the curve [m]");
-    check_near(advance_error, 0, 1e-12, name + ": advance against length");
+    BOOST_TEST(near(tangent_error, 0, 1e-6, name + ": tangent against difference quotient [rad]"));
+    BOOST_TEST(near(curvature_error, 0, 1e-6, name + ": curvature against turning of the tangent, relative"));
+    BOOST_TEST(
+      near(closest_error, 0, 1e-13, name + ": closest point to a point 0.5 mm beside the curve [m]"));
+    BOOST_TEST(near(advance_error, 0, 1e-12, name + ": advance against length"));
     // round-off of some hundred sums
-    check_near(length_error, 0, 1e-13, name + ": length is additive [m]");
+    BOOST_TEST(near(length_error, 0, 1e-13, name + ": length is additive [m]"));
   }
 
   void
@@ -219,7 +220,8 @@ namespace
         a = b;
         b = sum;
       }
-    check_near(tread.length(2, 3) / (b + (b - a) / 3), 1, 1e-12, "length of zone B against polygons, ratio");
+    BOOST_TEST(
+      near(tread.length(2, 3) / (b + (b - a) / 3), 1, 1e-12, "length of zone B against polygons, ratio"));
   }
 
   /// A cone's radius is linear, and its root and flank join without a kink.
@@ -233,7 +235,7 @@ namespace
         for (const double x : {0.05, 0., -0.02})
           {
             const double t = tread.roots([x](const Point2 &p) { return p.x - x; }, 1, 2).front();
-            check_near(tread.at(t).position.y, x / ratio, 1e-12, name + " falls to the field side [m]");
+            BOOST_TEST(near(tread.at(t).position.y, x / ratio, 1e-12, name + " falls to the field side [m]"));
           }
         double jump = 0, kink = 0;
         for (std::size_t i = 2; i < tread.segments().size(); ++i)
@@ -242,8 +244,8 @@ namespace
             kink =
               std::max(kink, std::abs(degrees_between(tread.at(i - 1e-13).tangent, tread.at(i).tangent)));
           }
-        check_near(jump, 0, 1e-9, name + ": largest jump of its joints [m]");
-        check_near(kink, 0, 1e-3, name + ": largest kink [degrees]");
+        BOOST_TEST(near(jump, 0, 1e-9, name + ": largest jump of its joints [m]"));
+        BOOST_TEST(near(kink, 0, 1e-3, name + ": largest kink [degrees]"));
       }
   }
 
@@ -251,20 +253,19 @@ namespace
   test_errors()
   {
     const std::string text = test::error_of<InputError>([&]() { rail_profile("55E1"); });
-    check(text.find("55E1") != std::string::npos && text.find("54E1, 60E1") != std::string::npos,
-          "an unknown rail is refused with the known names: " + text);
+    BOOST_TEST((text.find("55E1") != std::string::npos && text.find("54E1, 60E1") != std::string::npos),
+               "an unknown rail is refused with the known names: " + text);
     Segment a, b;
     a.end                   = {1, 0};
     b.start                 = {1, 0.1};
     b.end                   = {2, 0};
     const std::string apart = test::error_of<InputError>([&]() { Curve curve({a, b}); });
-    check(!apart.empty(), "segments that do not join are refused: " + apart);
+    BOOST_TEST(!apart.empty(), "segments that do not join are refused: " + apart);
   }
 } // namespace
 
 
-int
-main()
+BOOST_AUTO_TEST_CASE(geometry_profiles)
 {
   test_rail("54E1");
   test_rail("60E1");
@@ -276,5 +277,4 @@ main()
   test_length();
   test_cones();
   test_errors();
-  return report();
 }

@@ -2,8 +2,8 @@
 
 // Half-space contact with a given undeformed distance: Hertzian against Hertz and CONTACT, from a file, and
 // what faulty files are answered.
-#include "check.h"
 #include "messages.h"
+#include "near.h"
 
 #include <wheelrail/wheel/given_distance.h>
 
@@ -13,10 +13,9 @@
 #include <functional>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
 using test::message_of;
+using test::near;
+using test::same_text;
 
 namespace
 {
@@ -46,47 +45,47 @@ namespace
   {
     const WheelRailSolution result = solve(hertz_scene());
     const auto             &s      = result.solution;
-    check(s.converged() && !s.touches_grid_edge, "converged, off the edge of the grid");
-    check_near(s.peak_pressure / 1237.65e6, 1, 1e-4, "peak pressure over that of CONTACT");
-    check_near(s.xi / 2.084e-3, 1, 1e-3, "creepage over that of CONTACT");
-    check_near(s.contact_elements, 1951, 0, "elements in contact");
-    check_near(s.adhesion_area / 85.375e-6, 1, 0.002, "adhesion area over that of CONTACT");
-    check_near(result.vertical, 100e3, 1, "normal force [N]");
+    BOOST_TEST((s.converged() && !s.touches_grid_edge), "converged, off the edge of the grid");
+    BOOST_TEST(near(s.peak_pressure / 1237.65e6, 1, 1e-4, "peak pressure over that of CONTACT"));
+    BOOST_TEST(near(s.xi / 2.084e-3, 1, 1e-3, "creepage over that of CONTACT"));
+    BOOST_TEST(near(s.contact_elements, 1951, 0, "elements in contact"));
+    BOOST_TEST(near(s.adhesion_area / 85.375e-6, 1, 0.002, "adhesion area over that of CONTACT"));
+    BOOST_TEST(near(result.vertical, 100e3, 1, "normal force [N]"));
 
     Scene back                  = hertz_scene();
     back.halfspace_normal_force = 0;
     back.halfspace_approach     = s.approach;
-    check_near(
-      solve(back).solution.fn / 100e3, 1, 1e-5, "normal force of the same approach over the given one");
+    BOOST_TEST(
+      near(solve(back).solution.fn / 100e3, 1, 1e-5, "normal force of the same approach over the given one"));
     Scene yawed = hertz_scene();
     yawed.yaw   = 1e-3;
-    check_text(
+    BOOST_TEST(same_text(
       test::message_of([&]() { solve(yawed); }),
       "Wheelset/Yaw: without effect where Half-space/Undeformed distance is not that of the profiles; give "
       "Wheelset/Lateral creepage (about minus the yaw in rad), or set Undeformed distance = profiles",
-      "yaw without profiles");
+      "yaw without profiles"));
     Scene curved        = hertz_scene();
     curved.track_radius = 300;
-    check_text(
+    BOOST_TEST(same_text(
       test::message_of([&]() { solve(curved); }),
       "Track/Radius: without effect where Half-space/Undeformed distance is not that of the profiles; give "
       "Half-space/Given spin, or set Undeformed distance = profiles",
-      "a curve without profiles");
+      "a curve without profiles"));
     back.halfspace_normal_force = 100e3;
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { solve(back); }),
       "Half-space/Normal force and Half-space/Approach are both given; one follows from the other: set "
       "one of them to auto",
-      "both given");
+      "both given"));
     Scene held                   = hertz_scene();
     held.drive                   = Drive::rate;
     held.creepage                = s.xi;
     held.halfspace_contact_angle = 0.05;
     const auto spinning          = solve(held);
-    check_near(spinning.solution.xi, s.xi, 1e-12, "the creepage is the given one");
-    check_near(
-      spinning.solution.phi * 0.46, std::sin(0.05), 1e-12, "spin x radius is the sine of the contact angle");
-    check(std::abs(spinning.solution.fy) > 1e3, "spin makes a lateral force");
+    BOOST_TEST(near(spinning.solution.xi, s.xi, 1e-12, "the creepage is the given one"));
+    BOOST_TEST(near(
+      spinning.solution.phi * 0.46, std::sin(0.05), 1e-12, "spin x radius is the sine of the contact angle"));
+    BOOST_TEST(std::abs(spinning.solution.fy) > 1e3, "spin makes a lateral force");
   }
 
   /// Of an interval that holds what is true, over it.
@@ -95,7 +94,7 @@ namespace
   {
     const double low  = get_figure(summary, before + "_low" + unit),
                  high = get_figure(summary, before + "_high" + unit);
-    check(low <= truth && truth <= high, before + " of CONTACT lies within");
+    BOOST_TEST((low <= truth && truth <= high), before + " of CONTACT lies within");
     return (high - low) / truth;
   }
 
@@ -112,12 +111,12 @@ namespace
         const Summary summary = halfspace_summary(scene, solve(scene), &contributions);
         const double  peak    = width(summary, "max_pressure", "_Pa", 1237.65e6),
                      creep    = width(summary, "creepage", "", 2.084e-3);
-        check(peak < peak_width, "width for the peak " + std::to_string(peak));
-        check(creep < creep_width, "width for the creepage " + std::to_string(creep));
+        BOOST_TEST(peak < peak_width, "width for the peak " + std::to_string(peak));
+        BOOST_TEST(creep < creep_width, "width for the creepage " + std::to_string(creep));
         peak_width  = 0.7 * peak;
         creep_width = 0.7 * creep;
-        check(contributions_as_csv(contributions).find("creepage,1,elements,") != std::string::npos,
-              "and what it is made of");
+        BOOST_TEST((contributions_as_csv(contributions).find("creepage,1,elements,") != std::string::npos),
+                   "and what it is made of");
       }
   }
 
@@ -148,11 +147,11 @@ namespace
     scene.halfspace_distance =
       file_of(grid_text(30, [](const double x, const double y) { return 0.7 + x * x / 920 + y * y / 600; }));
     const auto exact = solve(hertz_scene()).solution, read = solve(scene).solution;
-    check(!read.touches_grid_edge, "off the edge of the grid");
-    check_near(
-      read.peak_pressure / exact.peak_pressure, 1, 1e-4, "peak pressure of the file over the Hertzian one");
-    check_near(read.xi / exact.xi, 1, 1e-4, "creepage of the file over the Hertzian one");
-    check_near(solve(scene).noise_effect.peak, 0, 0, "whose digits move nothing");
+    BOOST_TEST(!read.touches_grid_edge, "off the edge of the grid");
+    BOOST_TEST(near(
+      read.peak_pressure / exact.peak_pressure, 1, 1e-4, "peak pressure of the file over the Hertzian one"));
+    BOOST_TEST(near(read.xi / exact.xi, 1, 1e-4, "creepage of the file over the Hertzian one"));
+    BOOST_TEST(near(solve(scene).noise_effect.peak, 0, 0, "whose digits move nothing"));
 
     // micrometres: their last digit makes the peak some 10 % higher
     scene.halfspace_distance = file_of(grid_text(30, [](const double x, const double y) {
@@ -160,29 +159,30 @@ namespace
     }));
     const auto   rounded     = solve(scene);
     const double off         = rounded.solution.peak_pressure / exact.peak_pressure - 1;
-    check(off > 0.05 && off < rounded.noise_effect.peak && rounded.noise_effect.peak < 0.6,
-          "rounding: the peak is " + std::to_string(off) + " higher, said are " +
-            std::to_string(rounded.noise_effect.peak));
+    BOOST_TEST((off > 0.05 && off < rounded.noise_effect.peak && rounded.noise_effect.peak < 0.6),
+               "rounding: the peak is " + std::to_string(off) + " higher, said are " +
+                 std::to_string(rounded.noise_effect.peak));
 
     scene.halfspace_distance =
       file_of(grid_text(6, [](const double x, const double y) { return x * x / 920 + y * y / 600; }));
-    check(solve(scene).solution.touches_grid_edge, "a file smaller than the patch is told");
+    BOOST_TEST(solve(scene).solution.touches_grid_edge, "a file smaller than the patch is told");
   }
 
   void
   check_file(const std::string &text, const std::string &expected)
   {
     const std::string path = file_of(text);
-    check_text(message_of([&]() { read_distance_file(path); }), path + expected, text.substr(0, 20));
+    BOOST_TEST(
+      same_text(message_of([&]() { read_distance_file(path); }), path + expected, text.substr(0, 20)));
   }
 
   void
   faulty_files()
   {
     const std::string nothing = "nothing.txt";
-    check_text(message_of([&]() { read_distance_file(nothing); }),
-               nothing + ": no such file; rows x, y, distance in mm are needed",
-               "no file");
+    BOOST_TEST(same_text(message_of([&]() { read_distance_file(nothing); }),
+                         nothing + ": no such file; rows x, y, distance in mm are needed",
+                         "no file"));
     check_file("0 0 1\n1 0\n", ":2: a row of 2 values, the first line names 3 columns");
     check_file("0 0 one\n", ":1: \"one\" of distance is not a number; units belong in the first line");
     check_file("0 0 1\n1 0 1\n0 1 1\n1 1 1\n", ": 2 values of x; a grid of at least 4 x 4 points is needed");
@@ -197,13 +197,12 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(given_distance)
 {
   hertz();
   intervals();
   file();
   faulty_files();
   std::filesystem::remove("distance.txt");
-  return test::report();
 }

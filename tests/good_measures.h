@@ -2,7 +2,7 @@
 
 #include <wheelrail/verdict/verdict.h>
 
-#include "check.h"
+#include "near.h"
 
 #include <string>
 
@@ -11,7 +11,7 @@ namespace test
   inline void
   holds(const std::string &text, const std::string &part, const std::string &name)
   {
-    check(text.find(part) != std::string::npos, name + " [" + text + "]");
+    BOOST_TEST((text.find(part) != std::string::npos), name + " [" + text + "]");
   }
 
   /// The main scene on 1 mm, as it comes out.

@@ -3,7 +3,7 @@
 // Calls of halfspace of different kinds into one folder: nothing of one kind stays for `report` to draw
 // beside the other, while tables of creep curves and the user's own files do.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/application/command_line.h>
 
@@ -14,7 +14,6 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
 
 namespace
 {
@@ -31,8 +30,8 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(halfspace_folder)
 {
   fs::remove_all("one-halfspace");
   std::ofstream("scene.prm") << "subsection Half-space\n  set Element size = 1.5 mm\nend\n"
@@ -40,19 +39,19 @@ main()
   const fs::path                 folder = "one-halfspace";
   const std::vector<std::string> both{"--set", "Wheelset/Wheels = both"};
   halfspace(both);
-  check(fs::exists(folder / "wheelset.csv") && fs::exists(folder / "left" / "halfspace.h5"), "both wheels");
+  BOOST_TEST((fs::exists(folder / "wheelset.csv") && fs::exists(folder / "left" / "halfspace.h5")),
+             "both wheels");
   std::ofstream(folder / "left" / "notes.txt") << "mine\n";
   halfspace({"--creep-curve", "longitudinal 0, 0.1 %"});
   halfspace({});
-  check(!fs::exists(folder / "wheelset.csv") && !fs::exists(folder / "right") &&
-          !fs::exists(folder / "left" / "halfspace.h5"),
-        "nothing of both wheels beside one wheel");
-  check(fs::exists(folder / "halfspace.h5") && fs::exists(folder / "sections.json") &&
-          fs::exists(folder / "creep_curve.csv") && fs::exists(folder / "left" / "notes.txt"),
-        "the wheel, the creep curve and the user's notes are there");
+  BOOST_TEST((!fs::exists(folder / "wheelset.csv") && !fs::exists(folder / "right") &&
+              !fs::exists(folder / "left" / "halfspace.h5")),
+             "nothing of both wheels beside one wheel");
+  BOOST_TEST((fs::exists(folder / "halfspace.h5") && fs::exists(folder / "sections.json") &&
+              fs::exists(folder / "creep_curve.csv") && fs::exists(folder / "left" / "notes.txt")),
+             "the wheel, the creep curve and the user's notes are there");
   halfspace(both);
-  check(!fs::exists(folder / "halfspace.h5") && !fs::exists(folder / "wear.csv") &&
-          fs::exists(folder / "wheelset.csv") && fs::exists(folder / "right" / "wear.csv"),
-        "nothing of one wheel beside both");
-  return test::report();
+  BOOST_TEST((!fs::exists(folder / "halfspace.h5") && !fs::exists(folder / "wear.csv") &&
+              fs::exists(folder / "wheelset.csv") && fs::exists(folder / "right" / "wear.csv")),
+             "nothing of one wheel beside both");
 }

@@ -16,8 +16,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -63,28 +62,29 @@ namespace
     const ContactReference  &at    = *result.reference;
     const std::string        which = row[0] + " wheel, shift " + row[2] + " mm: ";
 
-    check(s.converged() && !s.touches_grid_edge, which + "converged");
-    check_near(1e-6 * s.peak_pressure / number(36), 1, 0.005, which + "peak pressure over CONTACT's");
-    check_near(1e6 * s.area / number(40), 1, 0.01, which + "area over CONTACT's");
-    check_near(1e-6 * s.peak_shear / number(39), 1, 0.01, which + "peak shear over CONTACT's");
+    BOOST_TEST((s.converged() && !s.touches_grid_edge), which + "converged");
+    BOOST_TEST(near(1e-6 * s.peak_pressure / number(36), 1, 0.005, which + "peak pressure over CONTACT's"));
+    BOOST_TEST(near(1e6 * s.area / number(40), 1, 0.01, which + "area over CONTACT's"));
+    BOOST_TEST(near(1e-6 * s.peak_shear / number(39), 1, 0.01, which + "peak shear over CONTACT's"));
     const double few = 0.01 * load;
-    check_near(s.fn, number(21), few, which + "normal force [N]");
-    check_near(s.fx, number(25), few, which + "force along the rail [N]");
-    check_near(-result.lateral, mirror * number(26), few, which + "lateral force on the rail [N]");
-    check_near(result.vertical, load, 0.002 * load, which + "vertical force [N]");
-    check_near(-at.driving, number(28), few, which + "force along the wheelset, on the rail [N]");
-    check_near(-at.across, mirror * number(29), few, which + "force along the axle, on the rail [N]");
+    BOOST_TEST(near(s.fn, number(21), few, which + "normal force [N]"));
+    BOOST_TEST(near(s.fx, number(25), few, which + "force along the rail [N]"));
+    BOOST_TEST(near(-result.lateral, mirror * number(26), few, which + "lateral force on the rail [N]"));
+    BOOST_TEST(near(result.vertical, load, 0.002 * load, which + "vertical force [N]"));
+    BOOST_TEST(near(-at.driving, number(28), few, which + "force along the wheelset, on the rail [N]"));
+    BOOST_TEST(near(-at.across, mirror * number(29), few, which + "force along the axle, on the rail [N]"));
     // a rolling radius that is 2 um off is a creepage of 4e-6
-    check_near(at.creepage, number(31), std::max(0.01 * std::abs(number(31)), 4e-6), which + "creepage");
-    check_near(-at.lateral_creepage,
-               mirror * number(32),
-               0.01 * std::abs(number(32)) + 1e-9,
-               which + "lateral creepage");
-    check_near(mirror * at.spin / (1e3 * number(33)), 1, 0.01, which + "spin over CONTACT's");
-    check_near(at.angle, mirror * number(20), 1.5e-3, which + "contact angle [rad]");
-    check_near(at.place.x, 0.75 + mirror * 1e-3 * number(13), 0.1e-3, which + "lateral place [m]");
-    check_near(at.along, 1e-3 * number(12), 0.5e-3, which + "place along the track [m]");
-    check_near(at.ahead, 1e-3 * number(17), 0.5e-3, which + "place ahead of the axle [m]");
+    BOOST_TEST(
+      near(at.creepage, number(31), std::max(0.01 * std::abs(number(31)), 4e-6), which + "creepage"));
+    BOOST_TEST(near(-at.lateral_creepage,
+                    mirror * number(32),
+                    0.01 * std::abs(number(32)) + 1e-9,
+                    which + "lateral creepage"));
+    BOOST_TEST(near(mirror * at.spin / (1e3 * number(33)), 1, 0.01, which + "spin over CONTACT's"));
+    BOOST_TEST(near(at.angle, mirror * number(20), 1.5e-3, which + "contact angle [rad]"));
+    BOOST_TEST(near(at.place.x, 0.75 + mirror * 1e-3 * number(13), 0.1e-3, which + "lateral place [m]"));
+    BOOST_TEST(near(at.along, 1e-3 * number(12), 0.5e-3, which + "place along the track [m]"));
+    BOOST_TEST(near(at.ahead, 1e-3 * number(17), 0.5e-3, which + "place ahead of the axle [m]"));
   }
 
   /// Both wheels on one axle that turns with the benchmark's rate, half as fine: forces 1 % of the load,
@@ -106,7 +106,8 @@ namespace
                                                      read_wheelset_profiles(scene),
                                                      std::nullopt,
                                                      2);
-    check_near(wheelset.axle.rate * scene.velocity, -number(7), 1e-9, "turning rate of the axle [rad/s]");
+    BOOST_TEST(
+      near(wheelset.axle.rate * scene.velocity, -number(7), 1e-9, "turning rate of the axle [rad/s]"));
     const double few = 0.01 * load;
     for (const bool is_left : {false, true})
       {
@@ -115,17 +116,17 @@ namespace
         const double             mirror = is_left ? 1 : -1;
         const std::string        which  = "on the axle, " + row[0] + " wheel, shift " + row[2] + " mm: ";
         const auto               value  = [&](const int column) { return std::stod(row[column]); };
-        check_near(wheel.solution.fx, value(25), few, which + "force along the rail [N]");
-        check_near(-wheel.lateral, mirror * value(26), few, which + "lateral force on the rail [N]");
-        check_near(wheel.reference->creepage,
-                   value(31),
-                   std::max(0.02 * std::abs(value(31)), 4e-6),
-                   which + "creepage");
+        BOOST_TEST(near(wheel.solution.fx, value(25), few, which + "force along the rail [N]"));
+        BOOST_TEST(near(-wheel.lateral, mirror * value(26), few, which + "lateral force on the rail [N]"));
+        BOOST_TEST(near(wheel.reference->creepage,
+                        value(31),
+                        std::max(0.02 * std::abs(value(31)), 4e-6),
+                        which + "creepage"));
       }
     const auto sum = [&](const int column) {
       return std::stod(left_row[column]) + std::stod(right_row[column]);
     };
-    check_near(wheelset.axle.lateral, sum(26), 2 * few, "sum of the lateral forces [N]");
+    BOOST_TEST(near(wheelset.axle.lateral, sum(26), 2 * few, "sum of the lateral forces [N]"));
   }
 
   /// The benchmark's wheelset off to the flange.
@@ -149,14 +150,16 @@ namespace
     const SceneGeometry     geometry = make_geometry(scene);
     const WheelRailSolution root =
       solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
-    check(root.others.size() == 1, "root and flange: two patches");
+    BOOST_TEST(root.others.size() == 1, "root and flange: two patches");
     if (root.others.empty())
       return;
     const WheelRailSolution &flange = root.others[0];
     for (const WheelRailSolution *patch : {&root, &flange})
-      check(patch->solution.converged() && !patch->solution.touches_grid_edge, "root and flange: answered");
-    check_near(root.vertical + flange.vertical, load, 0.002 * load, "root and flange: vertical force [N]");
-    check(std::abs(flange.angle) > 1.1 && std::abs(root.angle) < 0.7, "root and flange: angles");
+      BOOST_TEST((patch->solution.converged() && !patch->solution.touches_grid_edge),
+                 "root and flange: answered");
+    BOOST_TEST(
+      near(root.vertical + flange.vertical, load, 0.002 * load, "root and flange: vertical force [N]"));
+    BOOST_TEST((std::abs(flange.angle) > 1.1 && std::abs(root.angle) < 0.7), "root and flange: angles");
   }
 
   /// On the flange all of the patch slides and the normal force is far more than the load.
@@ -170,25 +173,25 @@ namespace
     const HalfspaceSolution &s      = result.solution;
     const std::string        which  = "flange, shift " + std::to_string(1e3 * shift) + " mm: ";
 
-    check(s.converged() && !s.touches_grid_edge, which + "answered");
-    check(std::abs(result.angle) > 1.1, which + "steep");
-    check_near(result.vertical, load, 0.002 * load, which + "vertical force [N]");
+    BOOST_TEST((s.converged() && !s.touches_grid_edge), which + "answered");
+    BOOST_TEST(std::abs(result.angle) > 1.1, which + "steep");
+    BOOST_TEST(near(result.vertical, load, 0.002 * load, which + "vertical force [N]"));
     const double fx = s.fx, friction = std::sqrt(fx * fx + s.fy * s.fy);
-    check_near(friction / (scene.friction.at_rest * s.fn), 1, 0.01, which + "all of it slides");
+    BOOST_TEST(near(friction / (scene.friction.at_rest * s.fn), 1, 0.01, which + "all of it slides"));
     const double across = std::sqrt(std::max(0., 0.09 * s.fn * s.fn - fx * fx));
-    check_near((s.fn * std::cos(result.angle) + across * std::abs(std::sin(result.angle))) / load,
-               1,
-               0.01,
-               which + "balance of the patch that slides");
-    check(s.fn > 1.4 * load, which + "normal force over the load");
+    BOOST_TEST(near((s.fn * std::cos(result.angle) + across * std::abs(std::sin(result.angle))) / load,
+                    1,
+                    0.01,
+                    which + "balance of the patch that slides"));
+    BOOST_TEST(s.fn > 1.4 * load, which + "normal force over the load");
     // the patch of that normal force, laid for it from the first
     const HalfspacePressure pressed = halfspace_pressure(scene, geometry, s.fn, offsets);
-    check_near(s.peak_pressure / pressed.peak, 1, 0.005, which + "peak pressure of the normal force");
+    BOOST_TEST(near(s.peak_pressure / pressed.peak, 1, 0.005, which + "peak pressure of the normal force"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(halfspace_manchester)
 {
   const auto rows = test::read_table("contact_manchester_a22.csv");
   for (const auto &row : rows)
@@ -200,5 +203,4 @@ main()
   check_root_and_flange();
   check_flange(6.6e-3, 15.84e-3);
   check_flange(7e-3, 16.8e-3);
-  return test::report();
 }

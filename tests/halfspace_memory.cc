@@ -3,7 +3,7 @@
 // Friction with memory and an elastic interface layer: traction curves of the measured shape, and laws of
 // them in closed form.
 
-#include "check.h"
+#include "near.h"
 #include "quadratic_distance.h"
 
 #include <wheelrail/halfspace/problem.h>
@@ -17,8 +17,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 using test::quadratic_distance;
 
 namespace
@@ -53,14 +52,13 @@ namespace
   {
     problem.xi                       = -creepage;
     const HalfspaceSolution solution = solve_rolling(problem);
-    check(solution.converged() && !solution.touches_grid_edge,
-          "solved at a creepage of " + std::to_string(creepage) + solution.not_reached);
-    check_near(solution.length_x / solution.width_y, 0.5, 0.02, "extents of the patch");
+    BOOST_TEST((solution.converged() && !solution.touches_grid_edge),
+               "solved at a creepage of " + std::to_string(creepage) + solution.not_reached);
+    BOOST_TEST(near(solution.length_x / solution.width_y, 0.5, 0.02, "extents of the patch"));
     return solution.fx / (0.33 * solution.fn);
   }
 
-  void
-  test_contact_example()
+  BOOST_AUTO_TEST_CASE(test_contact_example)
   {
     const HalfspaceProblem problem = traction_curve_problem(0.25e-3);
     struct Point
@@ -70,21 +68,22 @@ namespace
     // CONTACT's tractcurv.ref_out
     for (const Point &point :
          {Point{0.001, 0.1825}, Point{0.01, 0.9119}, Point{0.016, 0.9445}, Point{0.25, 0.5685}})
-      check_near(traction(problem, point.creepage),
-                 point.traction,
-                 0.005,
-                 "traction at creepage " + std::to_string(point.creepage) + ", CONTACT's");
+      BOOST_TEST(near(traction(problem, point.creepage),
+                      point.traction,
+                      0.005,
+                      "traction at creepage " + std::to_string(point.creepage) + ", CONTACT's"));
     HalfspaceProblem at_once = problem;
     at_once.memory_length    = 0;
     const double slid        = 0.14 + 0.19 * std::exp2(-2.5 / 1.25);
-    check_near(
-      traction(at_once, 0.25), slid / 0.33, 5e-4, "full sliding without memory: the law at V times creepage");
+    BOOST_TEST(near(traction(at_once, 0.25),
+                    slid / 0.33,
+                    5e-4,
+                    "full sliding without memory: the law at V times creepage"));
   }
 
   /// A layer much softer than the bodies makes them a row of springs: Kalker's simplified theory, Fx = 8 a2 b
   /// xi / (3 L) without slip (1973).
-  void
-  test_soft_layer()
+  BOOST_AUTO_TEST_CASE(test_soft_layer)
   {
     HalfspaceProblem problem = traction_curve_problem(0.15e-3);
     problem.friction         = FrictionLaw{100};
@@ -94,16 +93,15 @@ namespace
     const auto   solution    = solve_rolling(problem);
     const double a = 0.5 * solution.length_x, b = 0.5 * solution.width_y;
     std::printf("a %.3f mm, b %.3f mm\n", 1e3 * a, 1e3 * b);
-    check_near(solution.fx * 3 * problem.layer_compliance / (8 * a * a * b * 1e-4),
-               1,
-               0.03,
-               "force of a row of springs");
+    BOOST_TEST(near(solution.fx * 3 * problem.layer_compliance / (8 * a * a * b * 1e-4),
+                    1,
+                    0.03,
+                    "force of a row of springs"));
   }
 
   /// Steps of rolling that slides as a whole: what has touched since the first step has forgotten as much as
   /// the law says for its way; after a passage steady rolling is reached.
-  void
-  test_steps()
+  BOOST_AUTO_TEST_CASE(test_steps)
   {
     HalfspaceProblem problem       = traction_curve_problem(0.5e-3);
     problem.xi                     = -0.25;
@@ -118,7 +116,7 @@ namespace
     double            worst = 0;
     for (int step = 1; step <= 40; ++step)
       {
-        check(now.converged(), "step " + std::to_string(step) + now.not_reached);
+        BOOST_TEST(now.converged(), "step " + std::to_string(step) + now.not_reached);
         // what the first elements had ahead of them a step before, and have forgotten on their way since
         for (int e = leading; e > leading - 4; --e)
           {
@@ -135,13 +133,13 @@ namespace
         problem.previous = &before;
         now              = solve_rolling(problem);
       }
-    check_near(worst, 0, 2e-4, "coefficients of the first elements, of each step");
-    check_near(now.fx / steady.fx, 1, 5e-4, "steps that lead to steady rolling");
+    BOOST_TEST(near(worst, 0, 2e-4, "coefficients of the first elements, of each step"));
+    BOOST_TEST(near(now.fx / steady.fx, 1, 5e-4, "steps that lead to steady rolling"));
     worst = 0;
     for (std::size_t e = 0; e < now.friction.size(); ++e)
       if (now.pressure[e] > 0)
         worst = std::max(worst, std::abs(now.friction[e] - steady.friction[e]));
-    check_near(worst, 0, 5e-4, "their coefficients");
+    BOOST_TEST(near(worst, 0, 5e-4, "their coefficients"));
     // a shift leaves particles where they are; 2 m/s
     problem.motion                 = HalfspaceMotion::shift;
     problem.velocity               = 1e4;
@@ -150,17 +148,8 @@ namespace
     const HalfspaceSolution first  = solve_rolling(problem);
     problem.previous               = &first;
     const HalfspaceSolution second = solve_rolling(problem);
-    check(second.friction[std::size_t(leading)] < first.friction[std::size_t(leading)] &&
-            second.fx < first.fx,
-          "a second shift forgets more");
+    BOOST_TEST(
+      (second.friction[std::size_t(leading)] < first.friction[std::size_t(leading)] && second.fx < first.fx),
+      "a second shift forgets more");
   }
 } // namespace
-
-int
-main()
-{
-  test_contact_example();
-  test_soft_layer();
-  test_steps();
-  return test::report();
-}

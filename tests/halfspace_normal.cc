@@ -16,9 +16,8 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 using test::quadratic_distance;
 
 namespace
@@ -34,8 +33,7 @@ namespace
     return problem;
   }
   /// The rows of CONTACT's normal problems, each at its own grid.
-  void
-  test_contact_table()
+  BOOST_AUTO_TEST_CASE(test_contact_table)
   {
     for (const auto &row : test::read_table("contact_hertz_normal.csv"))
       {
@@ -44,22 +42,21 @@ namespace
         const HalfspaceGrid grid   = centred_grid(1.15 * number(9) * 1e-3, 1.15 * number(10) * 1e-3, dx, dx);
         const auto s = solve_rolling(normal_problem(grid, number(2) * 1e-3, number(3) * 1e-3, number(1)));
         const std::string name = row[0] + " at " + row[4] + " mm: ";
-        check(s.converged() && s.not_reached.empty() && !s.touches_grid_edge,
-              name + "converged inside the grid");
-        check_relative(s.peak_pressure, number(14) * 1e6, 2e-5, name + "peak pressure, CONTACT");
-        check_near(s.approach * 1e3, number(15), 5.1e-6, name + "approach in mm, CONTACT's last digit");
-        check(s.contact_elements == std::stoi(row[8]), name + "contact elements, CONTACT");
-        check_relative(s.peak_pressure, number(11) * 1e6, 0.005, name + "peak pressure, Hertz");
-        check_relative(s.approach, number(12) * 1e-3, 0.005, name + "approach, Hertz");
+        BOOST_TEST((s.converged() && s.not_reached.empty() && !s.touches_grid_edge),
+                   name + "converged inside the grid");
+        BOOST_TEST(near_relative(s.peak_pressure, number(14) * 1e6, 2e-5, name + "peak pressure, CONTACT"));
+        BOOST_TEST(near(s.approach * 1e3, number(15), 5.1e-6, name + "approach in mm, CONTACT's last digit"));
+        BOOST_TEST((s.contact_elements == std::stoi(row[8])), name + "contact elements, CONTACT");
+        BOOST_TEST(near_relative(s.peak_pressure, number(11) * 1e6, 0.005, name + "peak pressure, Hertz"));
+        BOOST_TEST(near_relative(s.approach, number(12) * 1e-3, 0.005, name + "approach, Hertz"));
         if (dx < 0.2e-3)
-          check_relative(s.area, number(13) * 1e-6, 0.01, name + "area, Hertz");
-        check_relative(s.fn, number(1), 1e-9, name + "force");
+          BOOST_TEST(near_relative(s.area, number(13) * 1e-6, 0.01, name + "area, Hertz"));
+        BOOST_TEST(near_relative(s.fn, number(1), 1e-9, name + "force"));
       }
   }
 
   /// A sphere: a^3 = 3 F R / (4 E*), p0 = 3 F / (2 pi a^2), approach a^2 / R; the error falls with the grid.
-  void
-  test_sphere()
+  BOOST_AUTO_TEST_CASE(test_sphere)
   {
     const double stiffness = 210e9 / (2 * (1 - 0.09)), F = 100e3, R = 0.46;
     const double a = std::cbrt(0.75 * F * R / stiffness), p0 = 1.5 * F / (M_PI * a * a);
@@ -77,21 +74,20 @@ namespace
               norm += p * p;
             }
         error = std::sqrt(error / norm);
-        check(error < 0.6 * old_error,
-              "pressure field of the sphere converges, L2 error " + std::to_string(error));
+        BOOST_TEST(error < 0.6 * old_error,
+                   "pressure field of the sphere converges, L2 error " + std::to_string(error));
         old_error = error;
         if (dx < 0.3e-3)
           {
-            check_relative(s.peak_pressure, p0, 0.001, "peak pressure of the sphere");
-            check_relative(s.approach, a * a / R, 0.001, "approach of the sphere");
+            BOOST_TEST(near_relative(s.peak_pressure, p0, 0.001, "peak pressure of the sphere"));
+            BOOST_TEST(near_relative(s.approach, a * a / R, 0.001, "approach of the sphere"));
           }
       }
-    check(old_error < 0.012, "pressure field of the sphere within 1.2 % at 0.25 mm");
+    BOOST_TEST(old_error < 0.012, "pressure field of the sphere within 1.2 % at 0.25 mm");
   }
 
   /// A long roller: in its middle the line contact b^2 = 4 F' R / (pi E*), p0 = 2 F' / (pi b).
-  void
-  test_line()
+  BOOST_AUTO_TEST_CASE(test_line)
   {
     const double        stiffness = 210e9 / (2 * (1 - 0.09)), R = 0.46, half = 5e-3;
     const double        line_load = M_PI * stiffness * half * half / (4 * R), length = 1.;
@@ -106,14 +102,15 @@ namespace
         force += s.pressure[i + grid.mx * middle] * grid.dx;
         peak = std::max(peak, s.pressure[i + grid.mx * middle]);
       }
-    check_relative(
-      peak, std::sqrt(force * stiffness / (M_PI * R)), 0.005, "peak pressure in the middle of a long roller");
+    BOOST_TEST(near_relative(peak,
+                             std::sqrt(force * stiffness / (M_PI * R)),
+                             0.005,
+                             "peak pressure in the middle of a long roller"));
   }
 
   /// Waves on a sphere: pressure and gap are never negative, nor both positive; force and approach are each
   /// other's inverse; different moduli act through their mean compliance.
-  void
-  test_rough()
+  BOOST_AUTO_TEST_CASE(test_rough)
   {
     const HalfspaceGrid grid    = centred_grid(8e-3, 8e-3, 0.25e-3, 0.25e-3);
     HalfspaceProblem    problem = normal_problem(grid, 0.46, 0.46, 50e3);
@@ -130,44 +127,33 @@ namespace
         worst_product =
           std::max(worst_product, std::min(s.pressure[k] / s.peak_pressure, s.gap[k] / s.approach));
       }
-    check(s.converged(), "rough sphere converged to 1e-9");
-    check(s.contact_elements < 0.9 * solve_rolling(normal_problem(grid, 0.46, 0.46, 50e3)).contact_elements,
-          "the waves break the contact");
-    check(lowest_pressure >= 0, "pressure never negative");
-    check(lowest_gap >= -1e-9 * (s.approach + 4e-6), "gap never negative");
-    check(worst_product <= 1.1e-9, "gap closed where there is pressure");
+    BOOST_TEST(s.converged(), "rough sphere converged to 1e-9");
+    BOOST_TEST(
+      (s.contact_elements < 0.9 * solve_rolling(normal_problem(grid, 0.46, 0.46, 50e3)).contact_elements),
+      "the waves break the contact");
+    BOOST_TEST(lowest_pressure >= 0, "pressure never negative");
+    BOOST_TEST(lowest_gap >= -1e-9 * (s.approach + 4e-6), "gap never negative");
+    BOOST_TEST(worst_product <= 1.1e-9, "gap closed where there is pressure");
 
     HalfspaceProblem reverse = problem;
     reverse.force_given      = false;
     reverse.approach         = s.approach;
-    check_relative(solve_rolling(reverse).fn, s.fn, 1e-7, "force of the approach found");
+    BOOST_TEST(near_relative(solve_rolling(reverse).fn, s.fn, 1e-7, "force of the approach found"));
     reverse.approach = -1e-3;
-    check(solve_rolling(reverse).fn == 0, "no force without overlap");
+    BOOST_TEST(solve_rolling(reverse).fn == 0, "no force without overlap");
 
     HalfspaceProblem unlike = problem;
     unlike.body1            = {problem.body1.shear_modulus * 2, 0.3};
     unlike.body2            = {problem.body1.shear_modulus * 2 / 3, 0.3};
-    check_relative(
-      solve_rolling(unlike).approach, s.approach, 1e-7, "unlike bodies of the same mean compliance");
+    BOOST_TEST(near_relative(
+      solve_rolling(unlike).approach, s.approach, 1e-7, "unlike bodies of the same mean compliance"));
   }
 
-  void
-  test_refusals()
+  BOOST_AUTO_TEST_CASE(test_refusals)
   {
     HalfspaceProblem problem = normal_problem(centred_grid(1e-3, 1e-3, 0.5e-3, 0.5e-3), 1, 1, 1);
     problem.undeformed_distance.pop_back();
-    check(!test::error_of<InputError>([&]() { solve_rolling(problem); }).empty(),
-          "an array of another size than the grid is refused");
+    BOOST_TEST((!test::error_of<InputError>([&]() { solve_rolling(problem); }).empty()),
+               "an array of another size than the grid is refused");
   }
 } // namespace
-
-int
-main()
-{
-  test_contact_table();
-  test_sphere();
-  test_line();
-  test_rough();
-  test_refusals();
-  return test::report();
-}

@@ -12,9 +12,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 
 namespace
 {
@@ -48,8 +47,8 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(halfspace_pose)
 {
   Scene scene;
   scene.velocity               = 10;
@@ -66,17 +65,16 @@ main()
       const std::string name   = std::to_string(row.lateral * 1e3) + " mm, " +
                                std::to_string(row.inclination * 1e3) + " mrad, " +
                                std::to_string(row.load * 1e-3) + " kN: ";
-      check(s.converged() && !s.touches_grid_edge, name + "converged");
-      check_relative(s.fn, row.normal, 0.001, name + "normal force");
-      check_relative(s.peak_pressure, row.peak, 0.01, name + "peak pressure");
-      check_relative(s.area, row.area, 0.01, name + "area");
-      check_relative(s.peak_shear, row.shear, 0.03, name + "peak shear");
+      BOOST_TEST((s.converged() && !s.touches_grid_edge), name + "converged");
+      BOOST_TEST(near_relative(s.fn, row.normal, 0.001, name + "normal force"));
+      BOOST_TEST(near_relative(s.peak_pressure, row.peak, 0.01, name + "peak pressure"));
+      BOOST_TEST(near_relative(s.area, row.area, 0.01, name + "area"));
+      BOOST_TEST(near_relative(s.peak_shear, row.shear, 0.03, name + "peak shear"));
       // CONTACT's weights of its mean angle are not known, here they are the pressure
       // (doc/theory/accuracy.md)
-      check_near(-result.angle, row.angle, 1.5e-3, name + "contact angle");
-      check_near(result.spin, row.spin, 3e-3, name + "spin");
-      check_near(result.lateral, -row.lateral_on_rail, 0.002 * row.load, name + "lateral force");
-      check_near(result.vertical, row.load, 1, name + "vertical force");
+      BOOST_TEST(near(-result.angle, row.angle, 1.5e-3, name + "contact angle"));
+      BOOST_TEST(near(result.spin, row.spin, 3e-3, name + "spin"));
+      BOOST_TEST(near(result.lateral, -row.lateral_on_rail, 0.002 * row.load, name + "lateral force"));
+      BOOST_TEST(near(result.vertical, row.load, 1, name + "vertical force"));
     }
-  return test::report();
 }

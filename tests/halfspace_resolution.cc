@@ -3,7 +3,7 @@
 // Small contacts: where the elements of the scene are too coarse the half-space solution takes smaller ones
 // and says so.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/wheel/given_distance.h>
@@ -13,9 +13,8 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
+using test::near;
+using test::same_text;
 
 namespace
 {
@@ -50,36 +49,36 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(halfspace_resolution)
 {
   for (const double force : {1., 100., 1e4, 1e5})
     {
       const Scene             scene  = sphere(force);
       const HalfspaceSolution result = solved(scene);
       const std::string       what   = std::to_string(static_cast<int>(force)) + " N: ";
-      check(elements_across(result) >= 8,
-            what + std::to_string(elements_across(result)) + " elements across the contact");
-      check_near(
-        result.peak_pressure / hertz_peak(scene, force), 1, 0.03, what + "peak pressure over that of Hertz");
-      check(result.grid.size() < 5000, what + "the grid stays near the contact");
+      BOOST_TEST(elements_across(result) >= 8,
+                 what + std::to_string(elements_across(result)) + " elements across the contact");
+      BOOST_TEST(near(
+        result.peak_pressure / hertz_peak(scene, force), 1, 0.03, what + "peak pressure over that of Hertz"));
+      BOOST_TEST(result.grid.size() < 5000, what + "the grid stays near the contact");
     }
-  check_near(solved(sphere(1e5)).grid.dx, 0.4e-3, 1e-9, "a large contact keeps the scene's elements [m]");
-  check_text(resolution_note(sphere(1e5), solved(sphere(1e5))), "", "and nothing is told");
+  BOOST_TEST(
+    near(solved(sphere(1e5)).grid.dx, 0.4e-3, 1e-9, "a large contact keeps the scene's elements [m]"));
+  BOOST_TEST(same_text(resolution_note(sphere(1e5), solved(sphere(1e5))), "", "and nothing is told"));
 
   const HalfspaceSolution small = solved(sphere(1));
   const std::string       note  = resolution_note(sphere(1), small);
-  check(note.find("Half-space/Element size = 0.4 mm: too coarse for this contact, elements of ") == 0 &&
-          note.find(" elements lie across the contact") != std::string::npos,
-        "smaller elements are told: " + note);
+  BOOST_TEST((note.find("Half-space/Element size = 0.4 mm: too coarse for this contact, elements of ") == 0 &&
+              note.find(" elements lie across the contact") != std::string::npos),
+             "smaller elements are told: " + note);
 
   HalfspaceSolution one;
   one.grid     = {3, 3, 0.4e-3, 0.4e-3, 0, 0};
   one.pressure = {0, 0, 0, 0, 5e6, 0, 0, 0, 0};
-  check_text(
+  BOOST_TEST(same_text(
     resolution_note(sphere(1), one),
     "Half-space/Element size = 0.4 mm: 1 element lies across the contact, too few for results: the peak "
     "pressure may be off by 5 % and more",
-    "a contact on one element");
-  return test::report();
+    "a contact on one element"));
 }

@@ -1,7 +1,7 @@
 // Stresses below the contact of two half-spaces, as the command halfspace gives them: Hertz's sphere, the
 // tractions at the surface, the largest value.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/wheel/given_distance.h>
@@ -12,8 +12,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -39,43 +38,41 @@ namespace
     for (const Slice &slice : stresses.slices)
       if (slice.name == name)
         return slice;
-    check(false, name + " is there");
+    BOOST_TEST(false, name + " is there");
     return stresses.slices.front();
   }
 
   /// Johnson (1985), section 3.4: largest shear 0.310 p0, so von Mises 0.620 p0, at the depth 0.48 a, nu 0.3.
-  void
-  test_sphere()
+  BOOST_AUTO_TEST_CASE(test_sphere)
   {
     const WheelRailSolution result   = sphere(0);
     const HalfspaceStresses stresses = halfspace_stresses(result);
     const double            a = 6.6869e-3, p0 = 1067.81e6;
-    check_near(stresses.subsurface_von_mises / p0, 0.620, 0.003, "largest von Mises stress over p0");
-    check_near(stresses.subsurface_depth / a, 0.481, 0.006, "its depth over a");
-    check_near(stresses.slices.size(), 8, 0, "slices");
+    BOOST_TEST(near(stresses.subsurface_von_mises / p0, 0.620, 0.003, "largest von Mises stress over p0"));
+    BOOST_TEST(near(stresses.subsurface_depth / a, 0.481, 0.006, "its depth over a"));
+    BOOST_TEST(near(stresses.slices.size(), 8, 0, "slices"));
     const Slice &rail = named(stresses, "AA_rail");
-    check_near(rail.offset, 0, 1e-12, "AA goes through the first contact point [m]");
-    check_near(rail.depth.back(), 15e-3, 0.2e-3, "deepest point [m]");
+    BOOST_TEST(near(rail.offset, 0, 1e-12, "AA goes through the first contact point [m]"));
+    BOOST_TEST(near(rail.depth.back(), 15e-3, 0.2e-3, "deepest point [m]"));
   }
 
   /// The same over p0 in a contact of any size: of a ball of 5 mm, of a dome of 46 m.
-  void
-  test_sizes()
+  BOOST_AUTO_TEST_CASE(test_sizes)
   {
     for (const double size : {0.011, 100.})
       {
         const HalfspaceStresses stresses = halfspace_stresses(sphere(0, size));
         const std::string       name     = "sphere " + std::to_string(size) + " times as large: ";
-        check_near(
-          stresses.subsurface_von_mises / 1067.81e6, 0.620, 0.003, name + "largest von Mises over p0");
-        check_near(stresses.subsurface_depth / (6.6869e-3 * size), 0.481, 0.01, name + "its depth over a");
+        BOOST_TEST(
+          near(stresses.subsurface_von_mises / 1067.81e6, 0.620, 0.003, name + "largest von Mises over p0"));
+        BOOST_TEST(
+          near(stresses.subsurface_depth / (6.6869e-3 * size), 0.481, 0.01, name + "its depth over a"));
       }
   }
 
   /// Where the surface is loaded, sigma N is the traction that acts on it: on the rail the one of the patch,
   /// on the wheel its opposite. N points out of the body. Both for a contact plane that is inclined.
-  void
-  test_surface()
+  BOOST_AUTO_TEST_CASE(test_surface)
   {
     WheelRailSolution result = sphere(0.25);
     result.angle             = -0.3;
@@ -103,22 +100,23 @@ namespace
             expected[2] += side * s.traction_x[e];
             worst = std::max(worst, norm(force - expected));
           }
-        check_near(worst / s.peak_pressure, 0, 1e-9, body + ": stress times normal is the traction, over p0");
+        BOOST_TEST(
+          near(worst / s.peak_pressure, 0, 1e-9, body + ": stress times normal is the traction, over p0"));
       }
   }
 
   /// Where it slides, the traction is 0.5 p: stretched and sheared, the surface then carries more than the
   /// steel below. Traction also raises what the pressure makes below, and in none of the planes through the
   /// peak is a maximum over depth larger.
-  void
-  test_traction()
+  BOOST_AUTO_TEST_CASE(test_traction)
   {
     const HalfspaceStresses rolling = halfspace_stresses(sphere(0.25)),
                             resting = halfspace_stresses(sphere(0));
-    check(rolling.surface_von_mises > rolling.subsurface_von_mises, "traction raises the surface most");
-    check(resting.surface_von_mises < resting.subsurface_von_mises, "without traction the largest is below");
-    check(rolling.subsurface_von_mises > 1.01 * resting.subsurface_von_mises,
-          "traction raises the stress below");
+    BOOST_TEST(rolling.surface_von_mises > rolling.subsurface_von_mises, "traction raises the surface most");
+    BOOST_TEST(resting.surface_von_mises < resting.subsurface_von_mises,
+               "without traction the largest is below");
+    BOOST_TEST(rolling.subsurface_von_mises > 1.01 * resting.subsurface_von_mises,
+               "traction raises the stress below");
     double largest = 0;
     for (const Slice &slice : rolling.slices)
       for (std::size_t k = 0; k < slice.position.size(); ++k)
@@ -128,17 +126,7 @@ namespace
             if (v[0] > v[-1] && v[0] >= v[1])
               largest = std::max(largest, v[0]);
           }
-    check(largest > 0.9 * rolling.subsurface_von_mises && largest <= rolling.subsurface_von_mises,
-          "the planes hold nearly the largest maximum over depth");
+    BOOST_TEST((largest > 0.9 * rolling.subsurface_von_mises && largest <= rolling.subsurface_von_mises),
+               "the planes hold nearly the largest maximum over depth");
   }
 } // namespace
-
-int
-main()
-{
-  test_sphere();
-  test_sizes();
-  test_surface();
-  test_traction();
-  return test::report();
-}

@@ -12,15 +12,13 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 
 namespace
 {
   /// The undeformed distance from our own profiles; CONTACT's differs by up to 0.3 micrometres.
-  void
-  test_variants()
+  BOOST_AUTO_TEST_CASE(test_variants)
   {
     for (const auto &row : test::read_table("contact_wheel_rail_54E1.csv"))
       {
@@ -28,20 +26,19 @@ namespace
         const auto s      = solve_rolling(
           test::wheel_rail_contact(0.25e-3, std::abs(number(4)) < 1 ? 0 : number(4), number(23) * 1e3));
         const std::string name = row[0] + ": ";
-        check(s.converged() && !s.touches_grid_edge, name + "converged");
-        check_relative(s.peak_pressure, number(11) * 1e6, 0.002, name + "peak pressure");
-        check_relative(s.area, number(12) * 1e-6, 0.005, name + "area");
-        check_relative(s.adhesion_area, number(13) * 1e-6, 0.005, name + "area of adhesion");
-        check_relative(s.width_y, number(15) * 1e-3, 0.015, name + "width");
-        check_relative(s.length_x, number(16) * 1e-3, 0.02, name + "length");
-        check_relative(s.peak_shear, number(17) * 1e6, 0.006, name + "peak shear");
-        check_near(s.xi, number(21), 3e-6, name + "creepage");
+        BOOST_TEST((s.converged() && !s.touches_grid_edge), name + "converged");
+        BOOST_TEST(near_relative(s.peak_pressure, number(11) * 1e6, 0.002, name + "peak pressure"));
+        BOOST_TEST(near_relative(s.area, number(12) * 1e-6, 0.005, name + "area"));
+        BOOST_TEST(near_relative(s.adhesion_area, number(13) * 1e-6, 0.005, name + "area of adhesion"));
+        BOOST_TEST(near_relative(s.width_y, number(15) * 1e-3, 0.015, name + "width"));
+        BOOST_TEST(near_relative(s.length_x, number(16) * 1e-3, 0.02, name + "length"));
+        BOOST_TEST(near_relative(s.peak_shear, number(17) * 1e6, 0.006, name + "peak shear"));
+        BOOST_TEST(near(s.xi, number(21), 3e-6, name + "creepage"));
       }
   }
 
   /// dx 0.5 and 0.125 mm of the driving wheel (rows of CONTACT at shift 0).
-  void
-  test_grids()
+  BOOST_AUTO_TEST_CASE(test_grids)
   {
     struct Row
     {
@@ -52,11 +49,11 @@ namespace
       {
         const auto        s    = solve_rolling(test::wheel_rail_contact(row.dx, -25e3, -0.1107));
         const std::string name = "driving at " + std::to_string(row.dx * 1e3) + " mm: ";
-        check(s.converged(), name + "converged");
-        check_relative(s.peak_pressure, row.peak * 1e6, 0.002, name + "peak pressure");
-        check_relative(s.area, row.area * 1e-6, 0.005, name + "area");
-        check_relative(s.peak_shear, row.shear * 1e6, 0.003, name + "peak shear");
-        check_relative(s.xi, row.xi, 0.002, name + "creepage");
+        BOOST_TEST(s.converged(), name + "converged");
+        BOOST_TEST(near_relative(s.peak_pressure, row.peak * 1e6, 0.002, name + "peak pressure"));
+        BOOST_TEST(near_relative(s.area, row.area * 1e-6, 0.005, name + "area"));
+        BOOST_TEST(near_relative(s.peak_shear, row.shear * 1e6, 0.003, name + "peak shear"));
+        BOOST_TEST(near_relative(s.xi, row.xi, 0.002, name + "creepage"));
       }
   }
 
@@ -100,23 +97,13 @@ namespace
     return distance;
   }
 
-  void
-  test_field()
+  BOOST_AUTO_TEST_CASE(test_field)
   {
     const auto       table      = test::read_table("contact_field_54E1.csv");
     HalfspaceProblem problem    = test::wheel_rail_contact(0.25e-3, -25e3, -0.1107);
     problem.undeformed_distance = table_distance(problem.grid, table);
     const auto s                = solve_rolling(problem);
     test::check_element_table(s, table, 3e-4, 3);
-    check_near(s.contact_elements, table.size(), 4, "contact elements of the table");
+    BOOST_TEST(near(s.contact_elements, table.size(), 4, "contact elements of the table"));
   }
 } // namespace
-
-int
-main()
-{
-  test_variants();
-  test_grids();
-  test_field();
-  return test::report();
-}

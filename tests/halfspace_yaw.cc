@@ -6,7 +6,7 @@
 #include <cmath>
 
 using namespace wheelrail;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -29,10 +29,10 @@ namespace
     const auto right           = solved(scene);
     scene.yaw                  = -40e-3;
     const auto left            = solved(scene);
-    check_near(
-      right.solution.peak_pressure / left.solution.peak_pressure, 1, 1e-4, "peak pressures at +-40 mrad");
-    check_near(right.lateral, left.lateral, 20, "lateral forces at +-40 mrad, without friction [N]");
-    check_near(right.vertical, 100e3, 100, "load at 40 mrad, without friction [N]");
+    BOOST_TEST(near(
+      right.solution.peak_pressure / left.solution.peak_pressure, 1, 1e-4, "peak pressures at +-40 mrad"));
+    BOOST_TEST(near(right.lateral, left.lateral, 20, "lateral forces at +-40 mrad, without friction [N]"));
+    BOOST_TEST(near(right.vertical, 100e3, 100, "load at 40 mrad, without friction [N]"));
   }
 
   /// A lateral creepage of minus the yaw slides as the yaw does; the pose of 1 mrad hardly differs.
@@ -47,18 +47,18 @@ namespace
     scene.yaw                  = 0;
     scene.lateral_creepage     = -1e-3;
     const auto moved           = solved(scene);
-    check_near(
-      moved.lateral / yawed.lateral, 1, 0.01, "lateral force of a lateral creepage over that of a yaw");
-    check_near(moved.reference->lateral_creepage, -1e-3, 2e-6, "lateral creepage");
+    BOOST_TEST(
+      near(moved.lateral / yawed.lateral, 1, 0.01, "lateral force of a lateral creepage over that of a yaw"));
+    BOOST_TEST(near(moved.reference->lateral_creepage, -1e-3, 2e-6, "lateral creepage"));
     // a given spin of the size of the wheel's own changes little, and turning it round changes the force
     scene.halfspace_given_spin = moved.reference->spin;
     const auto same            = solved(scene);
-    check_near(same.reference->spin, moved.reference->spin, 1e-4, "given spin [1/m]");
-    check_near(
-      same.lateral / moved.lateral, 1, 0.05, "lateral force under one spin over that of the wheel's");
+    BOOST_TEST(near(same.reference->spin, moved.reference->spin, 1e-4, "given spin [1/m]"));
+    BOOST_TEST(
+      near(same.lateral / moved.lateral, 1, 0.05, "lateral force under one spin over that of the wheel's"));
     scene.halfspace_given_spin = -moved.reference->spin;
-    test::check(std::abs(solved(scene).lateral - moved.lateral) > 2e3,
-                "spin of opposite sign changes the force");
+    BOOST_TEST(std::abs(solved(scene).lateral - moved.lateral) > 2e3,
+               "spin of opposite sign changes the force");
   }
 
   /// The left wheel of a wheelset is the right one of its mirror image.
@@ -76,20 +76,20 @@ namespace
     const auto left            = solved(scene);
     scene.left_wheel           = false;
     const auto right           = solved(scene);
-    check_near(left.roll, -right.roll, 1e-12, "roll of the wheelset, seen from its other wheel [rad]");
-    test::check(std::abs(left.lateral - right.lateral) > 1e3, "both wheels have other forces");
+    BOOST_TEST(near(left.roll, -right.roll, 1e-12, "roll of the wheelset, seen from its other wheel [rad]"));
+    BOOST_TEST(std::abs(left.lateral - right.lateral) > 1e3, "both wheels have other forces");
     scene.lateral_shift *= -1;
     scene.yaw *= -1;
     scene.lateral_creepage *= -1;
     const auto mirror = solved(scene);
-    check_near(left.lateral, mirror.lateral, 1e-6, "lateral force of the mirror image [N]");
-    check_near(
-      left.solution.peak_pressure / mirror.solution.peak_pressure, 1, 1e-12, "peak of the mirror image");
+    BOOST_TEST(near(left.lateral, mirror.lateral, 1e-6, "lateral force of the mirror image [N]"));
+    BOOST_TEST(near(
+      left.solution.peak_pressure / mirror.solution.peak_pressure, 1, 1e-12, "peak of the mirror image"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(halfspace_yaw)
 {
   const auto rows = test::read_table("contact_wheel_rail_54E1_yaw.csv");
   for (const std::size_t row : {0, 2, 15})
@@ -97,5 +97,4 @@ main()
   test_frictionless();
   test_lateral_creepage();
   test_sides();
-  return test::report();
 }

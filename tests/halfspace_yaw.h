@@ -38,26 +38,27 @@ namespace test
     const ContactReference  &at    = *result.reference;
     const std::string        which = "shift " + row[0] + ", yaw " + row[1] + ", Fx " + row[3] + ": ";
 
-    check(s.converged() && !s.touches_grid_edge, which + "converged");
-    check_near(1e-6 * s.peak_pressure / number(36), 1, 0.005, which + "peak pressure over CONTACT's");
-    check_near(1e6 * s.area / number(39), 1, 0.01, which + "area over CONTACT's");
+    BOOST_TEST((s.converged() && !s.touches_grid_edge), which + "converged");
+    BOOST_TEST(near(1e-6 * s.peak_pressure / number(36), 1, 0.005, which + "peak pressure over CONTACT's"));
+    BOOST_TEST(near(1e6 * s.area / number(39), 1, 0.01, which + "area over CONTACT's"));
     // it stands at a kink of the traction and still grows with finer elements
-    check_near(1e-6 * s.peak_shear / number(48), 1, 0.02, which + "peak shear over CONTACT's");
+    BOOST_TEST(near(1e-6 * s.peak_shear / number(48), 1, 0.02, which + "peak shear over CONTACT's"));
     const double few = 0.01 * load;
-    check_near(s.fn, number(21), few, which + "normal force [N]");
-    check_near(s.fx, number(25), few, which + "force along the rail [N]");
-    check_near(-result.lateral, number(26), few, which + "lateral force on the rail [N]");
-    check_near(result.vertical, load, 0.002 * load, which + "vertical force [N]");
-    check_near(-at.driving, number(28), few, which + "force along the wheelset, on the rail [N]");
-    check_near(-at.across, number(29), few, which + "force along the axle, on the rail [N]");
+    BOOST_TEST(near(s.fn, number(21), few, which + "normal force [N]"));
+    BOOST_TEST(near(s.fx, number(25), few, which + "force along the rail [N]"));
+    BOOST_TEST(near(-result.lateral, number(26), few, which + "lateral force on the rail [N]"));
+    BOOST_TEST(near(result.vertical, load, 0.002 * load, which + "vertical force [N]"));
+    BOOST_TEST(near(-at.driving, number(28), few, which + "force along the wheelset, on the rail [N]"));
+    BOOST_TEST(near(-at.across, number(29), few, which + "force along the axle, on the rail [N]"));
     // where CONTACT's reference point lies 0.03 mm off, the tread's radius changes by 1.5 um
-    check_near(at.creepage, number(32), std::max(0.01 * std::abs(number(32)), 4e-6), which + "creepage");
-    check_near(
-      -at.lateral_creepage, number(33), 0.01 * std::abs(number(33)) + 1e-9, which + "lateral creepage");
-    check_near(at.spin / (1e3 * number(34)), 1, 0.01, which + "spin over CONTACT's");
-    check_near(at.angle, number(20), 1.5e-3, which + "contact angle [rad]");
-    check_near(at.place.x, 0.75 + 1e-3 * number(13), 0.1e-3, which + "lateral place [m]");
-    check_near(at.along, 1e-3 * number(12), 0.5e-3, which + "place along the track [m]");
-    check_near(at.ahead, 1e-3 * number(17), 0.5e-3, which + "place ahead of the axle [m]");
+    BOOST_TEST(
+      near(at.creepage, number(32), std::max(0.01 * std::abs(number(32)), 4e-6), which + "creepage"));
+    BOOST_TEST(
+      near(-at.lateral_creepage, number(33), 0.01 * std::abs(number(33)) + 1e-9, which + "lateral creepage"));
+    BOOST_TEST(near(at.spin / (1e3 * number(34)), 1, 0.01, which + "spin over CONTACT's"));
+    BOOST_TEST(near(at.angle, number(20), 1.5e-3, which + "contact angle [rad]"));
+    BOOST_TEST(near(at.place.x, 0.75 + 1e-3 * number(13), 0.1e-3, which + "lateral place [m]"));
+    BOOST_TEST(near(at.along, 1e-3 * number(12), 0.5e-3, which + "place along the track [m]"));
+    BOOST_TEST(near(at.ahead, 1e-3 * number(17), 0.5e-3, which + "place ahead of the axle [m]"));
   }
 } // namespace test

@@ -3,10 +3,9 @@
 
 #include "halfspace_yaw.h"
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(halfspace_yaw_long)
 {
   for (const auto &row : test::read_table("contact_wheel_rail_54E1_yaw.csv"))
     test::check_yaw_row(row);
-  return test::report();
 }

@@ -16,10 +16,9 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
 using test::message_of;
+using test::near;
+using test::same_text;
 
 namespace
 {
@@ -42,7 +41,7 @@ namespace
   void
   check_message(const std::string &name, const std::string &expected)
   {
-    check_text(message_of([&]() { read(name); }), expected, name);
+    BOOST_TEST(same_text(message_of([&]() { read(name); }), expected, name));
   }
 
   // The value of the including file is in force wherever it stands, of two included files that of the later.
@@ -58,14 +57,14 @@ namespace
     write("two.prm", "include base.prm\ninclude other.prm\n");
     write("turned.prm", "include other.prm\ninclude base.prm\n");
     write("deep.prm", "set Title = deep\ninclude two.prm\n");
-    check_text(read("after.prm").title, "after", "set after the include");
-    check_text(read("before.prm").title, "before", "set before the include");
-    check_near(read("before.prm").rolling_distance, 0.03, 0, "set in the included file alone");
-    check_near(read("two.prm").energy_limit, 0.02, 0, "the later of two included files");
-    check_near(read("turned.prm").energy_limit, 0.01, 0, "the other way round");
-    check_text(read("deep.prm").title, "deep", "two levels down");
-    check_near(read("deep.prm").energy_limit, 0.02, 0, "two levels down, not set above");
-    check_text(read("deep.prm", {"Title = line"}).title, "line", "--set goes before all of them");
+    BOOST_TEST(same_text(read("after.prm").title, "after", "set after the include"));
+    BOOST_TEST(same_text(read("before.prm").title, "before", "set before the include"));
+    BOOST_TEST(near(read("before.prm").rolling_distance, 0.03, 0, "set in the included file alone"));
+    BOOST_TEST(near(read("two.prm").energy_limit, 0.02, 0, "the later of two included files"));
+    BOOST_TEST(near(read("turned.prm").energy_limit, 0.01, 0, "the other way round"));
+    BOOST_TEST(same_text(read("deep.prm").title, "deep", "two levels down"));
+    BOOST_TEST(near(read("deep.prm").energy_limit, 0.02, 0, "two levels down, not set above"));
+    BOOST_TEST(same_text(read("deep.prm", {"Title = line"}).title, "line", "--set goes before all of them"));
   }
 
   void
@@ -75,15 +74,15 @@ namespace
     write("steels/common/density.prm", "set Density = 7800 kg/m3\n");
     write("scenes/a.prm", "subsection Rail material\n  include ../steels/mild.prm\nend\n");
     const Scene scene = read("scenes/a.prm");
-    check_near(scene.rail_material.youngs_modulus, 205e9, 0, "a path counts from the including file");
-    check_near(scene.rail_material.density, 7800, 0, "so does that in the included one");
-    check_near(scene.wheel_material.density, 7900, 0, "an include in a subsection belongs to it");
+    BOOST_TEST(near(scene.rail_material.youngs_modulus, 205e9, 0, "a path counts from the including file"));
+    BOOST_TEST(near(scene.rail_material.density, 7800, 0, "so does that in the included one"));
+    BOOST_TEST(near(scene.wheel_material.density, 7900, 0, "an include in a subsection belongs to it"));
     write("scenes/b.prm", "include " + fs::absolute("include/base.prm").string() + " # a whole path\n");
-    check_text(read("scenes/b.prm").title, "base", "a path from the root");
+    BOOST_TEST(same_text(read("scenes/b.prm").title, "base", "a path from the root"));
     write("scenes/c.prm", "include ../two words.prm\nINCLUDE ../other.prm");
     write("two words.prm", "set Title = blanks\n");
-    check_text(read("scenes/c.prm").title, "blanks", "a name with a blank");
-    check_near(read("scenes/c.prm").energy_limit, 0.02, 0, "the keyword in capital letters");
+    BOOST_TEST(same_text(read("scenes/c.prm").title, "blanks", "a name with a blank"));
+    BOOST_TEST(near(read("scenes/c.prm").energy_limit, 0.02, 0, "the keyword in capital letters"));
   }
 
   // Each scene has its own output folder; files that it names lie here, or beside the scene that names them.
@@ -100,21 +99,25 @@ namespace
     write("named.prm", "include ready/base.prm\nsubsection Output\n  set Folder = runs/a\nend\n");
     write("folder.prm", "set Folder = runs/b\n");
     write("part.prm", "subsection Output\n  include folder.prm\nend\n");
-    check_text(read("ready/base.prm").folder, "output/base", "a folder of its own");
-    check_text(read("mine.prm").folder, "output/mine", "an included scene keeps its folder");
-    check(read("mine.prm").ticks == 3, "and nothing else");
-    check_text(read("named.prm").folder, "runs/a", "a folder that the scene names");
-    check_text(read("part.prm").folder, "runs/b", "part of a subsection in a file of its own");
-    check_text(read("mine.prm", {"Output/Folder = runs/c"}).folder, "runs/c", "a folder of the command line");
-    check_text(read("base.prm").folder, "output/base", "none at all");
-    check_text(read("mine.prm").rail_profile, "include/ready/worn.txt", "a file beside the included scene");
-    check_text(read("mine.prm").wheel_profile, "here.txt", "one where the command is given goes before");
-    check_text(read("mine.prm", {"Profiles/Rail = worn.txt"}).rail_profile,
-               "worn.txt",
-               "one of the command line lies here");
-    check(read_scene("include/mine.prm", {}).text.find("set Rail   = include/ready/worn.txt # beside") !=
-            std::string::npos,
-          "the text that is kept names it as it was found");
+    BOOST_TEST(same_text(read("ready/base.prm").folder, "output/base", "a folder of its own"));
+    BOOST_TEST(same_text(read("mine.prm").folder, "output/mine", "an included scene keeps its folder"));
+    BOOST_TEST(read("mine.prm").ticks == 3, "and nothing else");
+    BOOST_TEST(same_text(read("named.prm").folder, "runs/a", "a folder that the scene names"));
+    BOOST_TEST(same_text(read("part.prm").folder, "runs/b", "part of a subsection in a file of its own"));
+    BOOST_TEST(same_text(
+      read("mine.prm", {"Output/Folder = runs/c"}).folder, "runs/c", "a folder of the command line"));
+    BOOST_TEST(same_text(read("base.prm").folder, "output/base", "none at all"));
+    BOOST_TEST(
+      same_text(read("mine.prm").rail_profile, "include/ready/worn.txt", "a file beside the included scene"));
+    BOOST_TEST(
+      same_text(read("mine.prm").wheel_profile, "here.txt", "one where the command is given goes before"));
+    BOOST_TEST(same_text(read("mine.prm", {"Profiles/Rail = worn.txt"}).rail_profile,
+                         "worn.txt",
+                         "one of the command line lies here"));
+    BOOST_TEST(
+      (read_scene("include/mine.prm", {}).text.find("set Rail   = include/ready/worn.txt # beside") !=
+       std::string::npos),
+      "the text that is kept names it as it was found");
     fs::remove("here.txt");
     write("ready/lacks.prm",
           "subsection Profiles\n  set Rail = gone.txt\nend\nsubsection Wear\n  set Mix = gone.csv\nend\n");
@@ -122,22 +125,23 @@ namespace
     for (const std::string command : {"run", "geometry", "wear"})
       {
         std::ostringstream out;
-        check_text(
+        BOOST_TEST(same_text(
           message_of([&]() {
             execute({command, "include/lacks.prm"}, {}, out);
           }),
           "include/ready/lacks.prm:2: Profiles/Rail: gone.txt: no such file; profiles are looked for where "
           "the command is given, then beside the scene",
-          command + " names the line of the included file");
+          command + " names the line of the included file"));
       }
     std::ostringstream out;
-    check_text(message_of([&]() {
-                 execute({"wear", "include/lacks.prm", "--set", "Profiles/Rail = 54E1"}, {}, out);
-               }),
-               "include/ready/lacks.prm:5: Wear/Mix: gone.csv: no such file; Wear/Mix needs a table with a "
-               "row for each kind "
-               "of traffic",
-               "a table that is not there");
+    BOOST_TEST(
+      same_text(message_of([&]() {
+                  execute({"wear", "include/lacks.prm", "--set", "Profiles/Rail = 54E1"}, {}, out);
+                }),
+                "include/ready/lacks.prm:5: Wear/Mix: gone.csv: no such file; Wear/Mix needs a table with a "
+                "row for each kind "
+                "of traffic",
+                "a table that is not there"));
   }
 
   // input.prm of the output folder: one file, each entry set once, remarks kept.
@@ -148,16 +152,16 @@ namespace
           "# mine\nset Title = a # remark\ninclude base.prm\n\nsubsection Run\n  set Energy limit \\\n= "
           "0.05\nend");
     const std::string flat = read_scene("include/kept.prm", {"Title = b"}).text;
-    check_text(
+    BOOST_TEST(same_text(
       flat,
       "# mine\nset Title = a # remark\n# include base.prm\n# set Title = base (replaced at "
       "include/kept.prm:2)\nsubsection Run\n  set Rolling distance = 30 mm\n# set Energy limit = 0.01 "
       "(replaced at include/kept.prm:6)\nend\n# end of include/base.prm\n\nsubsection Run\n  set Energy "
       "limit = 0.05\nend\n",
-      "the text with the included files");
-    check_text(print_parameters(scene_from_text(flat, "kept.prm", {}).scene),
-               print_parameters(read("kept.prm")),
-               "it reads back to the same scene");
+      "the text with the included files"));
+    BOOST_TEST(same_text(print_parameters(scene_from_text(flat, "kept.prm", {}).scene),
+                         print_parameters(read("kept.prm")),
+                         "it reads back to the same scene"));
     RunOptions        options;
     const RunFunction run = [&](const Scene &, const SceneGeometry &, const RunOptions &o) {
       options = o;
@@ -165,7 +169,8 @@ namespace
     };
     std::ostringstream out;
     execute({"run", "include/kept.prm", "--set", "Title = b"}, run, out);
-    check_text(options.prm_text, flat + "# --set \"Title = b\"\n", "a run keeps it, with --set as remarks");
+    BOOST_TEST(
+      same_text(options.prm_text, flat + "# --set \"Title = b\"\n", "a run keeps it, with --set as remarks"));
   }
 
   void
@@ -209,17 +214,17 @@ namespace
       "is missing before it");
     // what an included file says is also compared with the rest, and named by its place
     write("long.prm", "include base.prm\nsubsection Run\n  set Averaging distance = 40 mm\nend\n");
-    check_text(
+    BOOST_TEST(same_text(
       message_of([]() { require_computable(read_scene("include/long.prm", {})); }),
       "include/long.prm:3: Run/Averaging distance = 40 mm: longer than Run/Rolling distance = 30 mm; "
       "the mean is taken over the last part of the run, so at most that is possible",
-      "long.prm");
+      "long.prm"));
     write("ticks.prm", "subsection Output\n  set Ticks = 3000\nend\n");
     write("many.prm", "include ticks.prm\n");
-    check(message_of([]() {
-            require_computable(read_scene("include/many.prm", {}));
-          }).rfind("include/ticks.prm:2: Output/Ticks = 3000: one output every 0.02 mm", 0) == 0,
-          "a fault between entries names the line of the included file");
+    BOOST_TEST((message_of([]() {
+                  require_computable(read_scene("include/many.prm", {}));
+                }).rfind("include/ticks.prm:2: Output/Ticks = 3000: one output every 0.02 mm", 0) == 0),
+               "a fault between entries names the line of the included file");
   }
 
   void
@@ -243,17 +248,17 @@ namespace
         write("double_" + std::to_string(n) + ".prm", n < 8 ? next + next : "set Title = x\n");
       }
     const std::string message = message_of([]() { read("double_0.prm"); });
-    check_text(
+    BOOST_TEST(same_text(
       message.substr(0, message.find('\n')),
       "include/double_6.prm:1: include double_7.prm: more than 100 files are included in all; put some of "
       "them together",
-      "more than a hundred files");
-    check_text(read("double_4.prm").title, "x", "thirty files");
+      "more than a hundred files"));
+    BOOST_TEST(same_text(read("double_4.prm").title, "x", "thirty files"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(input_include)
 {
   fs::remove_all("include");
   test_order();
@@ -263,5 +268,4 @@ main()
   test_faults();
   test_circles();
   fs::remove_all("include");
-  return test::report();
 }

@@ -23,9 +23,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
@@ -67,8 +66,7 @@ namespace
     return print_parameters(scene);
   }
 
-  void
-  test_round_trip()
+  BOOST_AUTO_TEST_CASE(test_round_trip)
   {
     std::vector<std::string> sets;
     for (const auto &value : test::other_values())
@@ -79,46 +77,46 @@ namespace
         const std::string json    = print_parameters(scene, ParameterStyle::json),
                           xml     = print_parameters(scene, ParameterStyle::xml);
         std::istringstream json_in(json), xml_in(xml);
-        check_text(by_handler([&](auto &handler) { handler.parse_input_from_json(json_in); }),
-                   listing,
-                   "ParameterHandler reads JSON");
-        check_text(by_handler([&](auto &handler) { handler.parse_input_from_xml(xml_in); }),
-                   listing,
-                   "ParameterHandler reads XML");
-        check_text(by_handler([&](auto &handler) { handler.parse_input_from_string(listing); }),
-                   listing,
-                   "ParameterHandler reads the listing");
+        BOOST_TEST(same_text(by_handler([&](auto &handler) { handler.parse_input_from_json(json_in); }),
+                             listing,
+                             "ParameterHandler reads JSON"));
+        BOOST_TEST(same_text(by_handler([&](auto &handler) { handler.parse_input_from_xml(xml_in); }),
+                             listing,
+                             "ParameterHandler reads XML"));
+        BOOST_TEST(same_text(by_handler([&](auto &handler) { handler.parse_input_from_string(listing); }),
+                             listing,
+                             "ParameterHandler reads the listing"));
         const auto read_back = [](const std::string &text, const std::string &name) {
           return print_parameters(scene_from_text(text, name, {}).scene);
         };
-        check_text(read_back(json, "x.json"), listing, "a JSON file is read");
-        check_text(read_back(xml, "x.xml"), listing, "an XML file is read");
-        check_text(read_back(listing, "x.prm"), listing, "a parameter file is read");
-        check_text(read_back(scene_from_text(json, "x.json", {}).text, "input.prm"),
-                   listing,
-                   "and what is kept of JSON is a parameter file");
+        BOOST_TEST(same_text(read_back(json, "x.json"), listing, "a JSON file is read"));
+        BOOST_TEST(same_text(read_back(xml, "x.xml"), listing, "an XML file is read"));
+        BOOST_TEST(same_text(read_back(listing, "x.prm"), listing, "a parameter file is read"));
+        BOOST_TEST(same_text(read_back(scene_from_text(json, "x.json", {}).text, "input.prm"),
+                             listing,
+                             "and what is kept of JSON is a parameter file"));
       }
     const SceneInput input = scene_from_text(
       "{\"Title\": \" a {b|c}  d \", \"Run\": {\"Rolling distance\": \"30 mm\"}, "
       "\"Output\": {\"Ticks\": 13}}",
       "x.json",
       {"Run/Rolling distance = 40 mm"});
-    check(input.scene.title == "a {b|c}  d" && input.scene.ticks == 13 &&
-            input.scene.rolling_distance == 0.04,
-          "JSON of values alone, with --set");
-    check_text(input.text,
-               "set Title = a {b|c}  d\nsubsection Run\n  set Rolling distance = 30 mm\nend\nsubsection "
-               "Output\n  set Ticks = 13\nend\n",
-               "its text");
+    BOOST_TEST(
+      (input.scene.title == "a {b|c}  d" && input.scene.ticks == 13 && input.scene.rolling_distance == 0.04),
+      "JSON of values alone, with --set");
+    BOOST_TEST(
+      same_text(input.text,
+                "set Title = a {b|c}  d\nsubsection Run\n  set Rolling distance = 30 mm\nend\nsubsection "
+                "Output\n  set Ticks = 13\nend\n",
+                "its text"));
   }
 
-  void
-  test_faults()
+  BOOST_AUTO_TEST_CASE(test_faults)
   {
     const auto message = [](const std::string &text, const std::string &name) {
       return message_of([&]() { scene_from_text(text, name, {}); });
     };
-    check_text(
+    BOOST_TEST(same_text(
       message("{\"Titel\": \"a\", \"Runs\": {\"Ticks\": \"1\"}, \"Wheelset\": {\"Velocity\": \"140\", "
               "\"Velocity\": \"1 m/s\"}, \"Title\": \"a # b\"}",
               "x.json"),
@@ -129,10 +127,10 @@ namespace
       "x.json: Wheelset/Velocity: set a second time; keep one of them\n"
       "x.json: Wheelset/Velocity = 1 m/s: too small; a velocity from 5 km/h to 500 km/h is accepted\n"
       "x.json: Title = a # b: a value is one line without #",
-      "faults in JSON");
-    check_text(message("{\n\"Title\": a}", "x.json"),
-               "x.json:2: expected value; \"./wheelrail parameters --json\" prints a complete file",
-               "no JSON");
+      "faults in JSON"));
+    BOOST_TEST(same_text(message("{\n\"Title\": a}", "x.json"),
+                         "x.json:2: expected value; \"./wheelrail parameters --json\" prints a complete file",
+                         "no JSON"));
     std::string json, xml;
     for (int i = 0; i < 100000; ++i)
       {
@@ -140,17 +138,19 @@ namespace
         xml += "<a>";
       }
     const std::string deep = ": subsections in each other; \"./wheelrail parameters --";
-    check_text(message(json, "x.json"), "x.json" + deep + "json\" prints a complete file", "JSON too deep");
-    check_text(message(xml, "x.xml"), "x.xml" + deep + "xml\" prints a complete file", "XML too deep");
-    check_text(
+    BOOST_TEST(
+      same_text(message(json, "x.json"), "x.json" + deep + "json\" prints a complete file", "JSON too deep"));
+    BOOST_TEST(
+      same_text(message(xml, "x.xml"), "x.xml" + deep + "xml\" prints a complete file", "XML too deep"));
+    BOOST_TEST(same_text(
       message("<Title>a</Title>", "x.xml"),
       "x.xml: no <ParameterHandler> with the entries in it; \"./wheelrail parameters --xml\" prints a "
       "complete file",
-      "no XML of ParameterHandler");
-    check_text(
+      "no XML of ParameterHandler"));
+    BOOST_TEST(same_text(
       message("<ParameterHandler><Mesh><Fine_20depth>1</Fine_20depth></Mesh></ParameterHandler>", "x.xml"),
       "x.xml: Mesh/Fine depth = 1: a bare number; a length with its unit is needed, such as 1.5 mm",
-      "a fault in XML");
+      "a fault in XML"));
   }
 
   /// All entries of a scene but the folder that is named after its file.
@@ -165,8 +165,7 @@ namespace
 
   /// deal.II counts the paths of includes from where it is called. The studies include what includes a file
   /// beside itself: their text with all of it, as it is kept in input.prm, it reads as it reads the others'.
-  void
-  test_ready_files()
+  BOOST_AUTO_TEST_CASE(test_ready_files)
   {
     namespace fs          = std::filesystem;
     const fs::path source = WHEELRAIL_SOURCE_DIR, here = fs::current_path();
@@ -179,14 +178,15 @@ namespace
             fs::current_path(source / folder); // tables beside the scene keep their names
             const SceneInput  input    = read_scene(name, {});
             const std::string expected = entries_of(input);
-            check_text(by_handler([&](auto &handler) { handler.parse_input_from_string(input.text); }),
-                       expected,
-                       name + " with its includes by ParameterHandler");
+            BOOST_TEST(
+              same_text(by_handler([&](auto &handler) { handler.parse_input_from_string(input.text); }),
+                        expected,
+                        name + " with its includes by ParameterHandler"));
             try
               {
-                check_text(by_handler([&](auto &handler) { handler.parse_input(name); }),
-                           expected,
-                           name + " by ParameterHandler");
+                BOOST_TEST(same_text(by_handler([&](auto &handler) { handler.parse_input(name); }),
+                                     expected,
+                                     name + " by ParameterHandler"));
               }
             catch (const dealii::ParameterHandler::ExcCannotOpenIncludeStatementFile &)
               {
@@ -194,18 +194,17 @@ namespace
               }
             fs::current_path(here);
           }
-    check(files > 20 && unread == 13, "the ready files are read");
+    BOOST_TEST((files > 20 && unread == 13), "the ready files are read");
     for (const auto &file : fs::directory_iterator(source / "prm/steels"))
       {
         const std::string text = "include " + file.path().string() + "\n";
-        check_text(by_handler([&](auto &handler) { handler.parse_input_from_string(text); }),
-                   entries_of(scene_from_text(text, "x.prm", {})),
-                   file.path().filename().string() + " by ParameterHandler");
+        BOOST_TEST(same_text(by_handler([&](auto &handler) { handler.parse_input_from_string(text); }),
+                             entries_of(scene_from_text(text, "x.prm", {})),
+                             file.path().filename().string() + " by ParameterHandler"));
       }
   }
 
-  void
-  test_commands()
+  BOOST_AUTO_TEST_CASE(test_commands)
   {
     for (const std::string style : {"--json", "--xml"})
       {
@@ -217,17 +216,16 @@ namespace
           handler.parse_input_from_json(in);
         else
           handler.parse_input_from_xml(in);
-        check(scene.rolling_distance == 0.03, "parameters " + style + ": value of --set");
+        BOOST_TEST(scene.rolling_distance == 0.03, "parameters " + style + ": value of --set");
       }
-    check(printed("--xml").find("a length above 0 mm, at most 10 m") != std::string::npos,
-          "XML tells what is accepted");
-    check(printed("--xml").find("[Selection torque|rate ]") != std::string::npos,
-          "a choice is a list in deal.II's parameter GUI");
+    BOOST_TEST((printed("--xml").find("a length above 0 mm, at most 10 m") != std::string::npos),
+               "XML tells what is accepted");
+    BOOST_TEST((printed("--xml").find("[Selection torque|rate ]") != std::string::npos),
+               "a choice is a list in deal.II's parameter GUI");
   }
 
   /// What doc/manual/parameters.md lists is what is declared to ParameterHandler.
-  void
-  test_declarations()
+  BOOST_AUTO_TEST_CASE(test_declarations)
   {
     boost::property_tree::ptree tree;
     std::istringstream          in(print_parameters(Scene(), ParameterStyle::json));
@@ -237,18 +235,17 @@ namespace
         const auto declared = [&](const std::string &what) {
           return tree.get<std::string>({entry.path() + "/" + what, '/'});
         };
-        check_text(declared("value"), entry.default_text, entry.path() + ": value");
-        check_text(declared("default_value"), entry.default_text, entry.path() + ": default");
-        check_text(declared("documentation"), entry.meaning, entry.path() + ": meaning");
+        BOOST_TEST(same_text(declared("value"), entry.default_text, entry.path() + ": value"));
+        BOOST_TEST(same_text(declared("default_value"), entry.default_text, entry.path() + ": default"));
+        BOOST_TEST(same_text(declared("documentation"), entry.meaning, entry.path() + ": meaning"));
         if (entry.choices.empty())
-          check_text(
-            declared("pattern_description"), "[" + entry.accepted + "]", entry.path() + ": accepted");
+          BOOST_TEST(same_text(
+            declared("pattern_description"), "[" + entry.accepted + "]", entry.path() + ": accepted"));
       }
   }
 
   /// The patterns are those of the entries, also when ParameterHandler reads by itself.
-  void
-  test_patterns()
+  BOOST_AUTO_TEST_CASE(test_patterns)
   {
     Scene                    scene;
     dealii::ParameterHandler handler;
@@ -264,31 +261,20 @@ namespace
         }
       return false;
     };
-    check(refuses("Wheelset", "Velocity", "140"), "a bare number");
-    check(refuses("Wheelset", "Velocity", "140 kN"), "a unit of another kind");
-    check(refuses("Wheelset", "Velocity", "900 km/h"), "a number beyond the range");
-    check(refuses("Wheelset", "Drive", "torqe"), "a misspelt choice");
-    check(refuses("Mesh", "Fine depth", "automatic"), "a word in place of a number");
-    check(refuses("Profiles", "Rail", "UIC 60"), "neither a standard profile nor a file");
-    check(refuses("Output", "Ticks", "2.5"), "a fraction for a whole number");
-    check(refuses("Output", "Folder", ""), "no text");
-    check(!refuses("Mesh", "Fine depth", "auto") && !refuses("Wheelset", "Velocity", "40 m/s"),
-          "a word beside numbers, another unit");
-    check(scene.velocity == 40, "the value is in the scene");
+    BOOST_TEST(refuses("Wheelset", "Velocity", "140"), "a bare number");
+    BOOST_TEST(refuses("Wheelset", "Velocity", "140 kN"), "a unit of another kind");
+    BOOST_TEST(refuses("Wheelset", "Velocity", "900 km/h"), "a number beyond the range");
+    BOOST_TEST(refuses("Wheelset", "Drive", "torqe"), "a misspelt choice");
+    BOOST_TEST(refuses("Mesh", "Fine depth", "automatic"), "a word in place of a number");
+    BOOST_TEST(refuses("Profiles", "Rail", "UIC 60"), "neither a standard profile nor a file");
+    BOOST_TEST(refuses("Output", "Ticks", "2.5"), "a fraction for a whole number");
+    BOOST_TEST(refuses("Output", "Folder", ""), "no text");
+    BOOST_TEST((!refuses("Mesh", "Fine depth", "auto") && !refuses("Wheelset", "Velocity", "40 m/s")),
+               "a word beside numbers, another unit");
+    BOOST_TEST(scene.velocity == 40, "the value is in the scene");
     for (const Entry &entry : entries())
       set_entry(handler, entry.section, entry.name, entry.default_text);
-    check_text(print_parameters(scene), print_parameters(Scene()), "the defaults match their patterns");
+    BOOST_TEST(
+      same_text(print_parameters(scene), print_parameters(Scene()), "the defaults match their patterns"));
   }
 } // namespace
-
-int
-main()
-{
-  test_round_trip();
-  test_faults();
-  test_ready_files();
-  test_commands();
-  test_declarations();
-  test_patterns();
-  return test::report();
-}

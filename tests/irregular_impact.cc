@@ -96,8 +96,7 @@ namespace
     return impact_of(along, motion.force);
   }
 
-  void
-  test_flat()
+  BOOST_FIXTURE_TEST_CASE(test_flat, test::Parallel)
   {
     const Scene         scene    = flat_scene();
     const SceneGeometry geometry = make_geometry(scene);
@@ -107,7 +106,7 @@ namespace
       places.values.push_back(place);
     const ContactMap map(scene, geometry, wheel.compliance, places);
 
-    check(run(scene, false) == 0, "the run ends");
+    BOOST_TEST(run(scene, false) == 0, "the run ends");
     const History history = read_history("flat/history.h5");
     const auto    find    = [&](const char *name) { return *find_column(history, name); };
     const Impact  found   = impact_of(find("rolled_distance"), find("vertical_force"));
@@ -115,9 +114,10 @@ namespace
       wheel, scene, [&](const double x, const double height) { return map.force(x, -height); });
     std::cout << "        largest force " << 1e-3 * found.peak << " kN at " << 1e3 * found.peak_at
               << " mm, leaves the rail at " << 1e3 * found.leaves_at << " mm\n";
-    check_relative(found.peak, at_rest.peak, 0.05, "largest force by the contact at rest");
-    check_near(1e3 * found.peak_at, 1e3 * at_rest.peak_at, 3, "its place [mm]");
-    check_near(1e3 * found.leaves_at, 1e3 * at_rest.leaves_at, 0.5, "where the wheel leaves the rail [mm]");
+    BOOST_TEST(near_relative(found.peak, at_rest.peak, 0.05, "largest force by the contact at rest"));
+    BOOST_TEST(near(1e3 * found.peak_at, 1e3 * at_rest.peak_at, 3, "its place [mm]"));
+    BOOST_TEST(
+      near(1e3 * found.leaves_at, 1e3 * at_rest.leaves_at, 0.5, "where the wheel leaves the rail [mm]"));
 
     // on Hertz's spring, along the way that the loaded wheel would take slowly
     const double load   = wheel.load;
@@ -125,14 +125,7 @@ namespace
     const Impact hertz  = reduced_impact(wheel, scene, [&](const double x, const double height) {
       return wheel.force(-height - (map.lowering(x, load) - smooth));
     });
-    check_relative(found.peak, hertz.peak, 0.1, "largest force by Hertz's spring on the loaded wheel's path");
+    BOOST_TEST(near_relative(
+      found.peak, hertz.peak, 0.1, "largest force by Hertz's spring on the loaded wheel's path"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  test_flat();
-  return parallel.report();
-}

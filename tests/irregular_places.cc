@@ -19,9 +19,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 
 namespace
 {
@@ -77,8 +76,7 @@ namespace
     return scene;
   }
 
-  void
-  test_rounded_flat()
+  BOOST_AUTO_TEST_CASE(test_rounded_flat)
   {
     test::write_flat("flat.slcw");
     Scene scene                  = scene_of_contact();
@@ -95,21 +93,22 @@ namespace
       {
         const std::string at    = "pitch " + rows[k][0] + " deg: ";
         const double      pitch = std::stod(rows[k][0]);
-        check(found[k].fault.empty(), at + "it is solved");
+        BOOST_TEST(found[k].fault.empty(), at + "it is solved");
         // both count from the round wheel in first touch
-        check_near(
-          1e6 * (found[k].drop + 22.71e-6), 1e3 * std::stod(rows[k][1]), 2, at + "drop of the wheel [um]");
+        BOOST_TEST(near(
+          1e6 * (found[k].drop + 22.71e-6), 1e3 * std::stod(rows[k][1]), 2, at + "drop of the wheel [um]"));
         // at -5 deg the peak stands beside the kink where the flat ends, on a spline that rings there
         if (pitch == -5 || pitch == -3)
           {
-            check_relative(found[k].peak_pressure,
-                           1e6 * std::stod(rows[k][3]),
-                           pitch == -3 ? 0.02 : 0.035,
-                           at + "peak pressure");
-            check_relative(found[k].area, 1e-6 * std::stod(rows[k][4]), 0.02, at + "area");
+            BOOST_TEST(near_relative(found[k].peak_pressure,
+                                     1e6 * std::stod(rows[k][3]),
+                                     pitch == -3 ? 0.02 : 0.035,
+                                     at + "peak pressure"));
+            BOOST_TEST(near_relative(found[k].area, 1e-6 * std::stod(rows[k][4]), 0.02, at + "area"));
           }
       }
-    check(found[1].centre_along > 3e-3 && found[1].centre_along < 6e-3, "at -5 deg the contact lies ahead");
+    BOOST_TEST((found[1].centre_along > 3e-3 && found[1].centre_along < 6e-3),
+               "at -5 deg the contact lies ahead");
   }
 
   /// The points of a profile as rows y, z of a slice: y to the field side, z down [mm].
@@ -145,8 +144,7 @@ namespace
   }
 
   /// Smooth surfaces in files are the smooth surfaces.
-  void
-  test_smooth_files()
+  BOOST_AUTO_TEST_CASE(test_smooth_files)
   {
     const Scene         smooth;
     const SceneGeometry geometry = make_geometry(smooth);
@@ -175,17 +173,17 @@ namespace
           {
             // points each 0.05 mm tell jumps of the curvature of the rail head to some 1e-10 m
             const double tolerance = is_slices_file(file) && file.back() == 's' ? 2e-6 : 1e-6;
-            check_relative(one.peak_pressure, expected.peak_pressure, tolerance, file + ": peak pressure");
-            check_near(
-              1e6 * one.drop, 0, file == "smooth.csv" ? 1e-6 : 2e-3, file + ": drop of the wheel [um]");
+            BOOST_TEST(
+              near_relative(one.peak_pressure, expected.peak_pressure, tolerance, file + ": peak pressure"));
+            BOOST_TEST(
+              near(1e6 * one.drop, 0, file == "smooth.csv" ? 1e-6 : 2e-3, file + ": drop of the wheel [um]"));
           }
       }
   }
 
   /// A long shallow hollow lowers the wheel by its depth, its slope pushes with load times slope, and a wave
   /// has the same contact at the next crest.
-  void
-  test_waves()
+  BOOST_AUTO_TEST_CASE(test_waves)
   {
     Scene scene;
     scene.irregularities[0].kind       = IrregularKind::corrugation;
@@ -195,18 +193,18 @@ namespace
     const SceneGeometry geometry       = make_geometry(scene);
     const double        load           = 100e3;
     const auto          found = solve_places(scene, geometry, load, {false, {0.3, 0.375, 0.45, 0.6}});
-    check_near(1e6 * found[2].drop, 20, 0.05, "drop in the trough [um]");
+    BOOST_TEST(near(1e6 * found[2].drop, 20, 0.05, "drop in the trough [um]"));
     const double slope = M_PI * 20e-6 / 0.3;
-    check_near(found[1].slope_force, slope * load, 0.01 * slope * load, "force of the slope [N]");
-    check_relative(found[3].peak_pressure, found[0].peak_pressure, 1e-6, "crests are alike: peak pressure");
+    BOOST_TEST(near(found[1].slope_force, slope * load, 0.01 * slope * load, "force of the slope [N]"));
+    BOOST_TEST(
+      near_relative(found[3].peak_pressure, found[0].peak_pressure, 1e-6, "crests are alike: peak pressure"));
     // in the trough curvatures differ by 2 pi^2 depth/wavelength^2
-    check(found[2].peak_pressure < found[0].peak_pressure, "in the trough the pressure is lower");
+    BOOST_TEST(found[2].peak_pressure < found[0].peak_pressure, "in the trough the pressure is lower");
   }
 
   /// Irregularities that overlap add up, one beside the contact is not felt, and a wheelset with yaw lies as
   /// deep in a long trough as one without.
-  void
-  test_together()
+  BOOST_AUTO_TEST_CASE(test_together)
   {
     const double load   = 100e3;
     const auto   trough = [load](const std::vector<double> &depths, const double yaw, const double lateral) {
@@ -226,20 +224,20 @@ namespace
     };
     const double       here = IrregularityData::automatic;
     const PlaceContact one = trough({20e-6}, 0, here), two = trough({8e-6, 12e-6}, 0, here);
-    check_near(1e6 * two.drop, 1e6 * one.drop, 1e-6, "waves of 8 and 12 um are one of 20 um: drop [um]");
-    check_relative(two.peak_pressure, one.peak_pressure, 1e-9, "and its peak pressure");
+    BOOST_TEST(
+      near(1e6 * two.drop, 1e6 * one.drop, 1e-6, "waves of 8 and 12 um are one of 20 um: drop [um]"));
+    BOOST_TEST(near_relative(two.peak_pressure, one.peak_pressure, 1e-9, "and its peak pressure"));
     const Scene  smooth;
     const double even = solve_places(smooth, make_geometry(smooth), load, {false, {0.}})[0].peak_pressure;
     const PlaceContact beside = trough({20e-6}, 0, 25e-3);
-    check_near(1e6 * beside.drop, 0, 1e-6, "beside the contact: drop [um]");
-    check_relative(beside.peak_pressure, even, 1e-9, "beside the contact: peak pressure");
-    check_near(1e6 * trough({20e-6}, 10e-3, here).drop, 20, 0.1, "with yaw: drop in the trough [um]");
+    BOOST_TEST(near(1e6 * beside.drop, 0, 1e-6, "beside the contact: drop [um]"));
+    BOOST_TEST(near_relative(beside.peak_pressure, even, 1e-9, "beside the contact: peak pressure"));
+    BOOST_TEST(near(1e6 * trough({20e-6}, 10e-3, here).drop, 20, 0.1, "with yaw: drop in the trough [um]"));
   }
 
   /// The fine cells of a run hold the patch under three times the load at each place of an irregularity, even
   /// where a flat stands on its edge and the patch is wider than that of the round wheel.
-  void
-  test_strip()
+  BOOST_AUTO_TEST_CASE(test_strip)
   {
     Scene scene                  = Scene();
     scene.cell_size              = 2e-3;
@@ -268,32 +266,19 @@ namespace
         room   = std::min({room, low - strip.s.front(), strip.s.back() - high});
         widest = std::max(widest, high - low);
       }
-    check(room > scene.cell_size,
-          "a cell and more beside the widest patch, " + std::to_string(1e3 * widest) +
-            " mm: " + std::to_string(1e3 * room) + " mm");
-    check(strip.s.back() - strip.s.front() > smooth.s.back() - smooth.s.front(),
-          "more than for a round wheel");
+    BOOST_TEST(room > scene.cell_size,
+               "a cell and more beside the widest patch, " + std::to_string(1e3 * widest) +
+                 " mm: " + std::to_string(1e3 * room) + " mm");
+    BOOST_TEST(strip.s.back() - strip.s.front() > smooth.s.back() - smooth.s.front(),
+               "more than for a round wheel");
   }
 
   /// Rows in any order, columns in any unit.
-  void
-  test_order()
+  BOOST_AUTO_TEST_CASE(test_order)
   {
     std::ofstream("order.csv") << "height_mm;along_m\n0;0.003\n0.001;0.001\n0;0\n0.002;0.002\n";
     const HeightGrid line = read_height_file("order.csv");
-    check(line.across.empty() && line.along.size() == 4, "a line in any order");
-    check_near(line.height[2], 2e-6, 1e-15, "in other units [m]");
+    BOOST_TEST((line.across.empty() && line.along.size() == 4), "a line in any order");
+    BOOST_TEST(near(line.height[2], 2e-6, 1e-15, "in other units [m]"));
   }
 } // namespace
-
-int
-main()
-{
-  test_rounded_flat();
-  test_smooth_files();
-  test_waves();
-  test_together();
-  test_strip();
-  test_order();
-  return test::report();
-}

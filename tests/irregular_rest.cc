@@ -61,7 +61,7 @@ namespace
     const SceneGeometry geometry = make_geometry(scene);
     Model               model    = make_model(scene, geometry, MPI_COMM_SELF);
     const StaticResult  start    = silent_start(scene, model);
-    check(start.converged && !start.at_border, "the start converges within the fine cells");
+    BOOST_TEST((start.converged && !start.at_border), "the start converges within the fine cells");
     const Axle          axle(model.axle, start.hub_displacement, 0, MPI_COMM_SELF);
     const PatchMeasures patch = measure_patch(patch_fields(*model.contact, axle, 0));
     Summary             summary;
@@ -92,22 +92,21 @@ namespace
         const PlaceContact expected = half_spaces(cell, pitch, found.pose);
         const std::string  at =
           std::to_string(1e3 * cell).substr(0, 3) + " mm, " + std::to_string(pitch).substr(0, 1) + " deg: ";
-        check_relative(found.peak, expected.peak_pressure, 0.03, at + "peak pressure");
-        check_relative(found.area, expected.area, 0.03, at + "area");
+        BOOST_TEST(near_relative(found.peak, expected.peak_pressure, 0.03, at + "peak pressure"));
+        BOOST_TEST(near_relative(found.area, expected.area, 0.03, at + "area"));
         // rim and head tilt otherwise on the flat, where the patch lies elsewhere: a quarter of a millimetre
         // across, on a contact inclined by 4 deg
-        check_near(
-          1e6 * (found.lowered - round.lowered), 1e6 * expected.drop, 10, at + "drop of the wheel [um]");
+        BOOST_TEST(near(
+          1e6 * (found.lowered - round.lowered), 1e6 * expected.drop, 10, at + "drop of the wheel [um]"));
         std::cout << "        pose: " << 1e6 * found.pose.lateral << " um, "
                   << 1e3 * (found.pose.wheel_roll - found.pose.rail_roll) << " mrad\n";
       }
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(irregular_rest, test::Parallel)
 {
-  Parallel parallel(argc, argv);
-  test_flat(argc > 1 ? 1e-3 * std::atof(argv[1]) : 1e-3);
-  return parallel.report();
+  const auto &all = boost::unit_test::framework::master_test_suite();
+  test_flat(all.argc > 1 ? 1e-3 * std::atof(all.argv[1]) : 1e-3);
 }

@@ -15,8 +15,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -88,30 +87,30 @@ namespace
         worst = std::max(worst, std::abs(10 * std::log10(power / 1e-12) - level));
         of_bands += power;
       }
-    check(worst < 0.5, "each band has its level within 0.5 dB: " + std::to_string(worst));
-    check_near(of_bands / all, 1, 1e-3, "nothing lies outside of the bands");
+    BOOST_TEST(worst < 0.5, "each band has its level within 0.5 dB: " + std::to_string(worst));
+    BOOST_TEST(near(of_bands / all, 1, 1e-3, "nothing lies outside of the bands"));
     // phases are random: the highest of many waves is a few times their root mean square
     const double crest = *std::max_element(line.begin(), line.end()) / std::sqrt(all);
-    check(crest > 2 && crest < 5, "crest factor of random phases: " + std::to_string(crest));
+    BOOST_TEST((crest > 2 && crest < 5), "crest factor of random phases: " + std::to_string(crest));
   }
 
   void
   test_seeds()
   {
     const std::vector<double> one = heights(1, 64), same = heights(1, 64), other = heights(2, 64);
-    check(one == same, "a seed gives the same surface");
+    BOOST_TEST((one == same), "a seed gives the same surface");
     double difference = 0;
     for (std::size_t k = 0; k < one.size(); ++k)
       difference += std::pow(one[k] - other[k], 2);
-    check(difference > 0, "another seed another one");
+    BOOST_TEST(difference > 0, "another seed another one");
     const SceneGeometry   geometry = make_geometry(rough_scene(1));
     const RunningSurface &rail     = geometry.surfaces.rail;
     const Irregularity   &shape    = rail.irregularities().front();
-    check_near(shape.begin, 0.05, 1e-9, "it begins half its longest wave before [m]");
+    BOOST_TEST(near(shape.begin, 0.05, 1e-9, "it begins half its longest wave before [m]"));
     for (const double z : {shape.begin, shape.end})
       {
-        check_near(1e6 * (rail.at(0, z).n - rail.smooth(0).n), 0, 1e-3, "no step at its ends [um]");
-        check_near(1e3 * rail.at(0, z).slope_along, 0, 1e-3, "nor a kink [1e-3]");
+        BOOST_TEST(near(1e6 * (rail.at(0, z).n - rail.smooth(0).n), 0, 1e-3, "no step at its ends [um]"));
+        BOOST_TEST(near(1e3 * rail.at(0, z).slope_along, 0, 1e-3, "nor a kink [1e-3]"));
       }
     // slopes are those of the heights
     constexpr double h     = 1e-6;
@@ -119,14 +118,14 @@ namespace
     for (double z = shape.begin + 2e-3; z < shape.end; z += 7.3e-3)
       worst = std::max(
         worst, std::abs((rail.at(0, z + h).n - rail.at(0, z - h).n) / (2 * h) - rail.at(0, z).slope_along));
-    check(worst < 1e-7, "slopes belong to heights: " + std::to_string(1e9 * worst) + "e-9");
+    BOOST_TEST(worst < 1e-7, "slopes belong to heights: " + std::to_string(1e9 * worst) + "e-9");
   }
 
   void
   refused(const std::vector<RoughnessBand> &bands, const std::string &part)
   {
     const std::string message = test::message_of([&] { roughness({0, 0, 0.2, 0, 0}, bands, 1); });
-    check(message.find(part) != std::string::npos, "\"" + part + "\" in \"" + message + "\"");
+    BOOST_TEST((message.find(part) != std::string::npos), "\"" + part + "\" in \"" + message + "\"");
   }
 
   void
@@ -144,7 +143,7 @@ namespace
         std::vector<std::string> notes;
         read_roughness_file("bad.csv", notes);
       });
-      check(message.find(part) != std::string::npos, "\"" + part + "\" in \"" + message + "\"");
+      BOOST_TEST((message.find(part) != std::string::npos), "\"" + part + "\" in \"" + message + "\"");
     };
     file("", "bad.csv: no rows; such a table has a first line with names and units, and rows of numbers");
     file("wavelength_mm\n10\n",
@@ -164,12 +163,14 @@ namespace
   {
     Scene scene                  = rough_scene(1);
     scene.irregularities[0].body = IrregularBody::wheel;
-    check(!make_geometry(scene).surfaces.wheel.irregularities().empty(), "a wheel that is rough over 1 m");
+    BOOST_TEST(!make_geometry(scene).surfaces.wheel.irregularities().empty(),
+               "a wheel that is rough over 1 m");
     scene.irregularities[0].length = 2.85;
     const std::string message      = test::message_of([&] { make_geometry(scene); });
-    check(message.find("Irregularity 1/File: levels.csv: with its ends it is longer than the circumference "
-                       "of the wheel, ") != std::string::npos,
-          message);
+    BOOST_TEST(
+      (message.find("Irregularity 1/File: levels.csv: with its ends it is longer than the circumference "
+                    "of the wheel, ") != std::string::npos),
+      message);
   }
 
   void
@@ -189,13 +190,14 @@ namespace
     std::string errors;
     for (const std::string &error : found.errors)
       errors += error + "\n";
-    check(errors.find("rises and falls within 10 mm, which cells of 3 mm cannot follow") != std::string::npos,
-          "bands below four cells are refused: " + errors);
+    BOOST_TEST(
+      (errors.find("rises and falls within 10 mm, which cells of 3 mm cannot follow") != std::string::npos),
+      "bands below four cells are refused: " + errors);
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(irregular_roughness)
 {
   write_levels("levels.csv");
   test_spectrum();
@@ -203,5 +205,4 @@ main()
   test_refused();
   test_wheel();
   test_cells();
-  return test::report();
 }

@@ -105,10 +105,11 @@ namespace
     options.overwrite       = true;
     options.prm_text        = "# a test\n";
     options.parameters_text = print_parameters(scene);
-    check(run_scene(scene, geometry, options) == 0, scene.title + ": the run ends");
+    BOOST_TEST(run_scene(scene, geometry, options) == 0, scene.title + ": the run ends");
     Result result{read_summary("hollow/summary.json"), read_history("hollow/history.h5")};
-    check(result.summary.energy_error < 0.01,
-          scene.title + ": energy error below 1 %: " + std::to_string(100 * result.summary.energy_error));
+    BOOST_TEST(result.summary.energy_error < 0.01,
+               scene.title +
+                 ": energy error below 1 %: " + std::to_string(100 * result.summary.energy_error));
     return result;
   }
 
@@ -132,35 +133,32 @@ namespace
   }
 
   /// A hollow of the rail at the border between both ways: the same forces.
-  void
-  test_both_ways()
+  BOOST_FIXTURE_TEST_CASE(test_both_ways, test::Parallel)
   {
     const Result offsets = over_hollow(50e-6, Body::rail, CarriedBy::offset),
                  mesh    = over_hollow(50e-6, Body::rail, CarriedBy::mesh);
     for (const char *force : {"vertical_force", "longitudinal_force", "lateral_force"})
-      check_near(
-        share(mesh, offsets, force), 1, 0.02, force + std::string(" in the mesh over that of offsets"));
-    check(offsets.swing("vertical_force") > 0.05 * get_figure(offsets.summary, "wheel_load_N"),
-          "the hollow is felt");
-    check_near(get_figure(mesh.summary, "least_vertical_force_at_m"),
-               get_figure(offsets.summary, "least_vertical_force_at_m"),
-               1.5e-3,
-               "at the same place [m]");
+      BOOST_TEST(
+        near(share(mesh, offsets, force), 1, 0.02, force + std::string(" in the mesh over that of offsets")));
+    BOOST_TEST(offsets.swing("vertical_force") > 0.05 * get_figure(offsets.summary, "wheel_load_N"),
+               "the hollow is felt");
+    BOOST_TEST(near(get_figure(mesh.summary, "least_vertical_force_at_m"),
+                    get_figure(offsets.summary, "least_vertical_force_at_m"),
+                    1.5e-3,
+                    "at the same place [m]"));
   }
 
   /// On a wheel the mesh carries even shallow ones, since the radius is what slides: see deepest_offset.
-  void
-  test_shallow_on_wheel()
+  BOOST_FIXTURE_TEST_CASE(test_shallow_on_wheel, test::Parallel)
   {
     const SceneGeometry geometry = make_geometry(hollow_scene(5e-6, IrregularBody::wheel));
-    check(geometry.surfaces.wheel.irregularities().front().carried == CarriedBy::mesh,
-          "a hollow of 5 um of the wheel is in the mesh");
+    BOOST_TEST((geometry.surfaces.wheel.irregularities().front().carried == CarriedBy::mesh),
+               "a hollow of 5 um of the wheel is in the mesh");
     over_hollow(40e-6, Body::wheel, CarriedBy::mesh);
   }
 
   /// Heights of nothing, in a file, are no irregularity.
-  void
-  test_smooth_file()
+  BOOST_FIXTURE_TEST_CASE(test_smooth_file, test::Parallel)
   {
     std::ofstream grid("smooth.csv");
     grid << "along_mm,across_mm,height_um\n";
@@ -179,10 +177,11 @@ namespace
         run(scene, false);
         const Summary     found = read_summary("short/summary.json");
         const std::string name  = body == IrregularBody::rail ? "rail" : "wheel";
-        check_relative(
-          found.vertical_force, smooth.vertical_force, 1e-6, name + " in a file: vertical force");
-        check_relative(found.max_pressure, smooth.max_pressure, 1e-6, name + " in a file: peak pressure");
-        check_relative(found.contact_area, smooth.contact_area, 1e-6, name + " in a file: area");
+        BOOST_TEST(near_relative(
+          found.vertical_force, smooth.vertical_force, 1e-6, name + " in a file: vertical force"));
+        BOOST_TEST(
+          near_relative(found.max_pressure, smooth.max_pressure, 1e-6, name + " in a file: peak pressure"));
+        BOOST_TEST(near_relative(found.contact_area, smooth.contact_area, 1e-6, name + " in a file: area"));
       }
   }
 
@@ -198,13 +197,12 @@ namespace
     wave.wavelength        = 40e-3;
     wave.length            = 80e-3;
     wave.depth             = depth;
-    check(run(scene, false) == 0, scene.title + ": the run ends");
+    BOOST_TEST(run(scene, false) == 0, scene.title + ": the run ends");
     return {read_summary("short/summary.json"), read_history("short/history.h5")};
   }
 
   /// Small waves: twice the depth, twice the change of the force against waves of next to no depth.
-  void
-  test_linear()
+  BOOST_FIXTURE_TEST_CASE(test_linear, test::Parallel)
   {
     const Result     still = over_waves(0.01e-6), one = over_waves(5e-6), two = over_waves(10e-6);
     double           of_one = 0, of_two = 0;
@@ -216,32 +214,21 @@ namespace
         of_one += std::pow(one.force_at(at) - force, 2);
         of_two += std::pow(two.force_at(at) - force, 2);
       }
-    check(std::sqrt(of_one / places) > 500,
-          "waves of 5 um are felt: " + std::to_string(std::sqrt(of_one / places)) + " N");
-    check_near(std::sqrt(of_two / of_one), 2, 0.04, "change of force by waves of 10 um over that by 5 um");
+    BOOST_TEST(std::sqrt(of_one / places) > 500,
+               "waves of 5 um are felt: " + std::to_string(std::sqrt(of_one / places)) + " N");
+    BOOST_TEST(
+      near(std::sqrt(of_two / of_one), 2, 0.04, "change of force by waves of 10 um over that by 5 um"));
   }
 
   /// The history shows what the wheel rolled over.
-  void
-  test_history()
+  BOOST_FIXTURE_TEST_CASE(test_history, test::Parallel)
   {
     const Result run = over_hollow(40e-6, Body::rail, CarriedBy::offset);
-    check_near(run.column("rail_irregularity").back(), 0, 1e-12, "behind the hollow the rail is smooth [m]");
+    BOOST_TEST(
+      near(run.column("rail_irregularity").back(), 0, 1e-12, "behind the hollow the rail is smooth [m]"));
     double deepest = 0;
     for (const double h : run.column("rail_irregularity"))
       deepest = std::min(deepest, h);
-    check_near(1e6 * deepest, -40, 0.1, "the history shows its depth [um]");
+    BOOST_TEST(near(1e6 * deepest, -40, 0.1, "the history shows its depth [um]"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  test_both_ways();
-  test_shallow_on_wheel();
-  test_history();
-  test_smooth_file();
-  test_linear();
-  return parallel.report();
-}

@@ -175,7 +175,7 @@ namespace
   Signal
   rolled(const Scene &scene)
   {
-    check(run(scene, false) == 0, scene.title + ": the run ends");
+    BOOST_TEST(run(scene, false) == 0, scene.title + ": the run ends");
     const History history = read_history("waves/history.h5");
     return {*find_column(history, "rolled_distance"), *find_column(history, "vertical_force")};
   }
@@ -302,15 +302,15 @@ namespace
               << 1e6 * half << "; force over amplitude " << 1e-9 * std::abs(found) / half << " kN/um, linear "
               << 1e-9 * std::abs(linear) / half << ", ahead by " << std::arg(found / linear) << " rad"
               << std::endl;
-    check_relative(std::abs(found), std::abs(linear), 0.1, name + "force by receptances");
+    BOOST_TEST(near_relative(std::abs(found), std::abs(linear), 0.1, name + "force by receptances"));
     if (!twice)
       return;
     Scene deep                   = scene;
     deep.irregularities[0].depth = 2 * scene.irregularities[0].depth;
-    check_relative(std::abs(amplitude(difference(rolled(deep), still), scene)),
-                   2 * std::abs(found),
-                   0.02,
-                   name + "force of waves twice as deep");
+    BOOST_TEST(near_relative(std::abs(amplitude(difference(rolled(deep), still), scene)),
+                             2 * std::abs(found),
+                             0.02,
+                             name + "force of waves twice as deep"));
   }
 
   /// `deep`: the one of the lengths whose waves are computed twice as deep, too; the first is the longest.
@@ -327,11 +327,9 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(irregular_waves, test::Parallel)
 {
-  Parallel parallel(argc, argv);
   test_waves({0.2, 0.08, 0.04, 0.02}, 0.04, false);
   test_waves({0.08, 0.04}, 0, true);
-  return parallel.report();
 }

@@ -16,8 +16,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -53,8 +52,7 @@ namespace
   }
 
   /// Depths as they are asked for, slopes as differences have them, nothing at the ends.
-  void
-  test_shapes()
+  BOOST_FIXTURE_TEST_CASE(test_shapes, test::Parallel)
   {
     for (const Named &one : all_shapes())
       {
@@ -78,27 +76,30 @@ namespace
             }
         for (const auto &[at, unused] : shape.kinks) // which samples may miss
           deepest = std::max(deepest, -shape.at(2e-3, at).height);
-        check_near(deepest, one.deepest, 2e-3 * one.deepest, one.name + ": depth [m]");
-        check_near(slope_error, 0, 1e-5 * steepest + 1e-9, one.name + ": slopes are those of the heights");
+        BOOST_TEST(near(deepest, one.deepest, 2e-3 * one.deepest, one.name + ": depth [m]"));
+        BOOST_TEST(
+          near(slope_error, 0, 1e-5 * steepest + 1e-9, one.name + ": slopes are those of the heights"));
         if (one.name != "polygon")
           for (const double end : {shape.begin, shape.end})
-            check_near(shape.at(2e-3, end).height, 0, 1e-12, one.name + ": comes down to 0 at its ends [m]");
-        check(shape.shortest > 0, one.name + ": tells how short it is");
+            BOOST_TEST(
+              near(shape.at(2e-3, end).height, 0, 1e-12, one.name + ": comes down to 0 at its ends [m]"));
+        BOOST_TEST(shape.shortest > 0, one.name + ": tells how short it is");
       }
     const IrregularSize joint{0, 0, 1, 0, 1e-3};
     const auto          dipped = dipped_joint(joint);
-    check_near(dipped.at(0, -1e-12).along - dipped.at(0, 1e-12).along,
-               -8e-3,
-               1e-9,
-               "dipped joint: its surface turns by 8 depth/length");
+    BOOST_TEST(near(dipped.at(0, -1e-12).along - dipped.at(0, 1e-12).along,
+                    -8e-3,
+                    1e-9,
+                    "dipped joint: its surface turns by 8 depth/length"));
     const double depth = radius - std::sqrt(radius * radius - 0.25 * 60e-3 * 60e-3);
     const auto   flat  = fresh_flat({0, 0, 60e-3, 0, depth}, radius);
-    check_near(-flat.at(0, 0).height, 60e-3 * 60e-3 / (8 * radius), 2e-6, "fresh flat: length^2/(8 R) [m]");
+    BOOST_TEST(
+      near(-flat.at(0, 0).height, 60e-3 * 60e-3 / (8 * radius), 2e-6, "fresh flat: length^2/(8 R) [m]"));
     double worst = 0;
     for (double angle = -0.06; angle <= 0.06; angle += 1e-3)
       worst = std::max(
         worst, std::abs((radius + flat.at(0, radius * angle).height) * std::cos(angle) - (radius - depth)));
-    check_near(worst, 0, 1e-15, "fresh flat: a plane [m]");
+    BOOST_TEST(near(worst, 0, 1e-15, "fresh flat: a plane [m]"));
   }
 
   FrameProfile
@@ -128,8 +129,7 @@ namespace
   }
 
   /// An even layer on a circle is a circle; a sloping one has the slopes that differences find.
-  void
-  test_surface()
+  BOOST_FIXTURE_TEST_CASE(test_surface, test::Parallel)
   {
     for (const bool wheel : {false, true})
       {
@@ -146,7 +146,7 @@ namespace
             const double R = arc + layer, n = std::sqrt(R * R - s * s) - arc;
             worst = std::max(worst, std::abs(surface.at(s, 0).n - (wheel ? -n : n)));
           }
-        check_near(worst, 0, 1e-9, name + ": a layer of 1 mm on a circle of 80 mm [m]");
+        BOOST_TEST(near(worst, 0, 1e-9, name + ": a layer of 1 mm on a circle of 80 mm [m]"));
 
         surface.set_irregularities(list_of(dent({0, 3e-3, 40e-3, 25e-3, 0.3e-3})));
         double error = 0, steepest = 0;
@@ -161,24 +161,23 @@ namespace
                                  std::abs(h.slope - (surface.at(s + d, z).n - surface.at(s - d, z).n) / (2 * d)),
                                  std::abs(h.slope_along - (surface.at(s, z + d).n - surface.at(s, z - d).n) / (2 * d))});
             }
-        check_near(error, 0, 0.01 * steepest, name + ": slopes of a dent on it");
-        check(surface.kinks().empty(), name + ": a dent has no kinks");
+        BOOST_TEST(near(error, 0, 0.01 * steepest, name + ": slopes of a dent on it"));
+        BOOST_TEST(surface.kinks().empty(), name + ": a dent has no kinks");
         const auto curved = surface.curvature(-3e-3, 0, 1e-4);
-        check_near(curved.along,
-                   (wheel ? 1 / radius : 0) - 2 * M_PI * M_PI * 0.3e-3 / (40e-3 * 40e-3),
-                   0.05,
-                   name + ": curvature along in the middle of the dent [1/m]");
+        BOOST_TEST(near(curved.along,
+                        (wheel ? 1 / radius : 0) - 2 * M_PI * M_PI * 0.3e-3 / (40e-3 * 40e-3),
+                        0.05,
+                        name + ": curvature along in the middle of the dent [1/m]"));
       }
     // a wheel is closed: the same place after a turn
     RunningSurface wheel = crowned(80e-3, true);
     wheel.set_irregularities(list_of(rounded_flat({0.1, 0, 50e-3, 0, 0.2e-3})));
-    check_near(wheel.at(0, 0.1 + 2 * M_PI * radius).n, wheel.at(0, 0.1).n, 1e-12, "a turn later [m]");
-    check_near(wheel.at(0, 0.1).n, 0.2e-3, 1e-12, "a flat lies above the round wheel [m]");
+    BOOST_TEST(near(wheel.at(0, 0.1 + 2 * M_PI * radius).n, wheel.at(0, 0.1).n, 1e-12, "a turn later [m]"));
+    BOOST_TEST(near(wheel.at(0, 0.1).n, 0.2e-3, 1e-12, "a flat lies above the round wheel [m]"));
   }
 
   /// A wheel is an exact circle along the track; the parabola errs by z^4/(8 R^3).
-  void
-  test_circle()
+  BOOST_FIXTURE_TEST_CASE(test_circle, test::Parallel)
   {
     const RunningSurfaces surfaces = scenes::wheel_on_plane(radius, 0, 0.02);
     double                worst = 0, parabola = 0;
@@ -188,14 +187,14 @@ namespace
         worst              = std::max(worst, std::abs(surfaces.distance(2e-3, z) - exact));
         parabola           = std::max(parabola, std::abs(z * z / (2 * radius) - exact));
       }
-    check_near(worst, 0, 1e-13, "distance of a cylinder from a plane [m]");
-    check_near(parabola,
-               std::pow(60e-3, 4) / (8 * std::pow(radius, 3)),
-               0.5e-6,
-               "what a parabola misses at 60 mm [m]");
+    BOOST_TEST(near(worst, 0, 1e-13, "distance of a cylinder from a plane [m]"));
+    BOOST_TEST(near(parabola,
+                    std::pow(60e-3, 4) / (8 * std::pow(radius, 3)),
+                    0.5e-6,
+                    "what a parabola misses at 60 mm [m]"));
     const double approach = 0.1e-3, half = half_length_bound(approach, radius);
-    check_near(
-      radius - std::sqrt(radius * radius - half * half), approach, 1e-16, "half a chord dips in so far [m]");
+    BOOST_TEST(near(
+      radius - std::sqrt(radius * radius - half * half), approach, 1e-16, "half a chord dips in so far [m]"));
     // a crowned wheel is a torus: at height y over the lowest line
     const RunningSurfaces torus = scenes::wheel_on_plane(radius, 80e-3, 0.02);
     double                error = 0;
@@ -206,12 +205,11 @@ namespace
           const double exact = radius - std::sqrt(r * r - z * z);
           error              = std::max(error, std::abs(torus.distance(s, z) - exact));
         }
-    check_near(error, 0, 1e-11, "distance of a torus from a plane [m]");
+    BOOST_TEST(near(error, 0, 1e-11, "distance of a torus from a plane [m]"));
   }
 
   /// Nodes that are moved lie on the surface; below they are moved less, deep inside not at all.
-  void
-  test_moved()
+  BOOST_FIXTURE_TEST_CASE(test_moved, test::Parallel)
   {
     for (const bool wheel : {false, true})
       {
@@ -220,7 +218,7 @@ namespace
         Irregularity      shape   = dent({0.02, 0, 40e-3, 25e-3, 0.5e-3});
         shape.carried             = CarriedBy::mesh;
         surface.set_irregularities(list_of(shape));
-        check(surface.moves_mesh(), name + ": the mesh carries it");
+        BOOST_TEST(surface.moves_mesh(), name + ": the mesh carries it");
         double on = 0, half = 0, deep = 0;
         for (double s = -9e-3; s <= 9e-3; s += 1e-3)
           for (double z = 2e-3; z <= 38e-3; z += 2e-3)
@@ -239,10 +237,11 @@ namespace
                 half, std::abs(norm(surface.moved(middle) - middle) - 0.5 * norm(surface.moved(top) - top)));
               deep = std::max(deep, norm(surface.moved(below) - below));
             }
-        check_near(on, 0, 2e-7, name + ": moved nodes lie on the surface [m]");
-        check_near(half, 0, 1e-12, name + ": half way down they are moved half as far [m]");
-        check(deep == 0, name + ": below not at all");
-        check(surface.offset_slopes({0, 0, 0.01}).along == 0, name + ": the contact carries none of it");
+        BOOST_TEST(near(on, 0, 2e-7, name + ": moved nodes lie on the surface [m]"));
+        BOOST_TEST(near(half, 0, 1e-12, name + ": half way down they are moved half as far [m]"));
+        BOOST_TEST(deep == 0, name + ": below not at all");
+        BOOST_TEST((surface.offset_slopes({0, 0, 0.01}).along == 0),
+                   name + ": the contact carries none of it");
       }
   }
 
@@ -279,8 +278,7 @@ namespace
 
   /// Forces of the contact are those of its energy, and on a plane rail nothing pushes a wheel without
   /// friction along, whatever its shape.
-  void
-  test_slope_force()
+  BOOST_FIXTURE_TEST_CASE(test_slope_force, test::Parallel)
   {
     const double depth = 0.05e-3, length = 40e-3, slope = M_PI * depth / length, d = 2e-6;
     for (const bool on_wheel : {false, true})
@@ -296,26 +294,14 @@ namespace
                      above      = pressed(surfaces, down + Vector3{0, d, 0}).stored_energy,
                      below      = pressed(surfaces, down - Vector3{0, d, 0}).stored_energy;
         const double whole      = slope * here.force[1];
-        check(here.force[1] > 1e4, name + ": it presses");
-        check_near(
-          here.force[1], (below - above) / (2 * d), 1e-3 * here.force[1], name + ": force upwards [N]");
-        check_near(here.force[2], (behind - ahead) / (2 * d), 0.03 * whole, name + ": force along [N]");
+        BOOST_TEST(here.force[1] > 1e4, name + ": it presses");
+        BOOST_TEST(
+          near(here.force[1], (below - above) / (2 * d), 1e-3 * here.force[1], name + ": force upwards [N]"));
+        BOOST_TEST(near(here.force[2], (behind - ahead) / (2 * d), 0.03 * whole, name + ": force along [N]"));
         if (on_wheel)
-          check_near(here.force[2], 0, 0.03 * whole, "wheel: no force along on a plane rail [N]");
+          BOOST_TEST(near(here.force[2], 0, 0.03 * whole, "wheel: no force along on a plane rail [N]"));
         else
-          check(here.force[2] < -0.4 * whole, "rail: a rise pushes the wheel back");
+          BOOST_TEST(here.force[2] < -0.4 * whole, "rail: a rise pushes the wheel back");
       }
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  test::Parallel parallel(argc, argv);
-  test_shapes();
-  test_surface();
-  test_circle();
-  test_moved();
-  test_slope_force();
-  return parallel.report();
-}

@@ -17,14 +17,14 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
 
 namespace
 {
   void
   holds(const std::string &message, const std::string &part)
   {
-    check(message.find(part) != std::string::npos, "\"" + part + "\" in \"" + message.substr(0, 300) + "\"");
+    BOOST_TEST((message.find(part) != std::string::npos),
+               "\"" + part + "\" in \"" + message.substr(0, 300) + "\"");
   }
 
   void
@@ -58,12 +58,11 @@ namespace
   warned(const std::vector<std::string> &sets, const std::string &part)
   {
     const Findings found = found_in(sets);
-    check(found.errors.empty(), "no error: " + joined(found.errors));
+    BOOST_TEST(found.errors.empty(), "no error: " + joined(found.errors));
     holds(joined(found.warnings), part);
   }
 
-  void
-  test_entries()
+  BOOST_AUTO_TEST_CASE(test_entries)
   {
     const std::string one = "Irregularity 1/", squat = one + "Kind = squat";
     refused({squat},
@@ -91,14 +90,13 @@ namespace
         {"Irregularity 2/Kind = weld", "Irregularity 2/Depth = -0.1 mm", "Irregularity 2/Place = 40 mm"})
         .scene;
     const std::string text = print_parameters(scene);
-    check(text.find("subsection Irregularity 2") != std::string::npos &&
-            text.find("subsection Irregularity 3") == std::string::npos,
-          "an irregularity is listed, those that are none are not");
-    check(print_parameters(scene_from_text(text, "none", {}).scene) == text, "and read again");
+    BOOST_TEST((text.find("subsection Irregularity 2") != std::string::npos &&
+                text.find("subsection Irregularity 3") == std::string::npos),
+               "an irregularity is listed, those that are none are not");
+    BOOST_TEST((print_parameters(scene_from_text(text, "none", {}).scene) == text), "and read again");
   }
 
-  void
-  test_runs()
+  BOOST_AUTO_TEST_CASE(test_runs)
   {
     const std::string one = "Irregularity 1/", depth = one + "Depth = 0.02 mm", place = one + "Place = 45 mm";
     refused({one + "Kind = dent", depth, place, one + "Length = 3 mm"},
@@ -117,7 +115,7 @@ namespace
     const std::string until_steady = "Run/Rolling distance = until steady";
     warned({one + "Kind = dent", depth, one + "Place = 0.5 m", one + "Length = 30 mm", until_steady},
            ": the wheel does not come there within Run/Longest distance = ");
-    check(
+    BOOST_TEST(
       !scene_from_text("", "none", {one + "Kind = dent", depth, place, until_steady}).scene.until_steady(),
       "a run over an irregularity does not end before it as steady");
     for (const char *body : {"rail", "wheel"})
@@ -130,26 +128,27 @@ namespace
          one + "Lateral place = -40 mm",
          one + "Body = " + body},
         "Irregularity 1/Lateral place = -40 mm: the wheel rolls beside the irregularity; its patch, about ");
-    check(found_in({one + "Kind = dent",
-                    depth,
-                    one + "Place = 35 mm",
-                    one + "Length = 30 mm",
-                    one + "Width = 20 mm",
-                    one + "Lateral place = -5 mm"})
-            .warnings.empty(),
-          "a dent half across the patch is felt");
+    BOOST_TEST(found_in({one + "Kind = dent",
+                         depth,
+                         one + "Place = 35 mm",
+                         one + "Length = 30 mm",
+                         one + "Width = 20 mm",
+                         one + "Lateral place = -5 mm"})
+                 .warnings.empty(),
+               "a dent half across the patch is felt");
     for (const std::string &warning :
          found_in({one + "Kind = polygon", depth, one + "Order = 64", one + "Body = wheel"}).warnings)
-      check(warning.find("beside") == std::string::npos && warning.find("ends at") == std::string::npos,
-            "waves all around are felt, and have no end: " + warning);
+      BOOST_TEST(
+        (warning.find("beside") == std::string::npos && warning.find("ends at") == std::string::npos),
+        "waves all around are felt, and have no end: " + warning);
     refused({one + "Kind = polygon", one + "Depth = 1 mm", one + "Order = 64"},
             "on the smooth profile: put a crest there, or take less height or longer waves");
     refused({one + "Kind = dent", depth, one + "Length = 30 mm"},
             " at the patch); a run starts in steady rolling on the smooth profile: move it at least ");
     refused({one + "Kind = dent", depth, place, "Irregularity 2/Kind = dent", "Irregularity 2/Depth = 1 mm"},
             "Irregularity 2/Place = 0 mm: the wheel starts on the rail's irregularity (1 mm at the patch)");
-    check(found_in({one + "Kind = dent", depth, place, one + "Length = 30 mm"}).errors.empty(),
-          "a dent on the way is computed");
+    BOOST_TEST(found_in({one + "Kind = dent", depth, place, one + "Length = 30 mm"}).errors.empty(),
+               "a dent on the way is computed");
   }
 
   void
@@ -158,8 +157,7 @@ namespace
     std::ofstream(name) << text;
   }
 
-  void
-  test_options()
+  BOOST_AUTO_TEST_CASE(test_options)
   {
     const auto parsed = [](const char *text, const bool pitch) {
       return [text, pitch] { parse_irregular_places(text, pitch); };
@@ -170,10 +168,11 @@ namespace
     says(parsed("1, 2 deg", false), "--places \"1, 2 deg\": the unit deg is unknown");
     says(parsed("1:2 deg", true), "--pitch \"1:2 deg\": ");
     const IrregularPlaces places = parse_irregular_places("-2:2:1 deg", true);
-    check(places.pitch && places.values.size() == 5 && std::abs(places.values[0] + 2 * M_PI / 180) < 1e-15,
-          "angles in degrees");
-    check(parse_irregular_places("1, 4 m", false).values == std::vector<double>({1., 4.}),
-          "places in metres");
+    BOOST_TEST(
+      (places.pitch && places.values.size() == 5 && std::abs(places.values[0] + 2 * M_PI / 180) < 1e-15),
+      "angles in degrees");
+    BOOST_TEST((parse_irregular_places("1, 4 m", false).values == std::vector<double>({1., 4.})),
+               "places in metres");
     write("scene.prm", "subsection Output\n  set Folder = out\nend\n");
     const auto command = [](const std::vector<std::string> &words) {
       std::ostringstream out;
@@ -225,12 +224,3 @@ namespace
     holds(at_places, "place 50 mm: The surfaces turn by ");
   }
 } // namespace
-
-int
-main()
-{
-  test_entries();
-  test_runs();
-  test_options();
-  return test::report();
-}

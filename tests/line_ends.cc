@@ -2,7 +2,7 @@
 
 // Line ends of LF, CR LF and CR: the same lines, also after a comment.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/input/flat_input.h>
@@ -10,8 +10,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
+using test::same_text;
 
 namespace
 {
@@ -25,10 +24,11 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(line_ends)
 {
-  check_text(with_line_feeds("a\r\nb\rc\nd\r\re\n\rf\r"), "a\nb\nc\nd\n\ne\n\nf\n", "all kinds mixed");
+  BOOST_TEST(
+    same_text(with_line_feeds("a\r\nb\rc\nd\r\re\n\rf\r"), "a\nb\nc\nd\n\ne\n\nf\n", "all kinds mixed"));
   const std::string text =
     "# a scene\nsubsection Wheelset\n  set Velocity = 100 km/h # slower\n"
     "  set Traction coefficient = 0.1\nend\n";
@@ -36,11 +36,9 @@ main()
     {
       const FlatInput   input = flatten_input(with_ends(text, end), "scene.prm");
       const std::string what  = end[0] == '\n' ? "LF" : end[1] == '\n' ? "CR LF" : "CR";
-      if (!check(input.problems.empty() && input.assignments.size() == 2,
-                 what + ": two entries after a comment"))
-        continue;
-      check_text(input.assignments[0].value, "100 km/h", what + ": value before a comment");
-      check_text(input.assignments[1].place.text, "scene.prm:4", what + ": line");
+      BOOST_REQUIRE_MESSAGE(input.problems.empty() && input.assignments.size() == 2,
+                            what + ": two entries after a comment");
+      BOOST_TEST(same_text(input.assignments[0].value, "100 km/h", what + ": value before a comment"));
+      BOOST_TEST(same_text(input.assignments[1].place.text, "scene.prm:4", what + ": line"));
     }
-  return test::report();
 }

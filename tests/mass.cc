@@ -131,10 +131,10 @@ namespace
   mass_properties_converge(const Model &model)
   {
     const test::SectionProperties outline = test::section_properties(rail_profile("54E1").outline);
-    check_near(section_integrals(model.discretization->plan().rail)[0] / outline.area,
-               1,
-               2e-3,
-               "area of the rail's blocks");
+    BOOST_TEST(near(section_integrals(model.discretization->plan().rail)[0] / outline.area,
+                    1,
+                    2e-3,
+                    "area of the rail's blocks"));
 
     const Model fine = test::small_model(MPI_COMM_WORLD, 4e-3, 8e-3);
     // what the chords of the coarse blocks cost, most of it at the concave fillets, whose rows are 8 mm tall
@@ -146,28 +146,30 @@ namespace
         const std::string &n = body_name[k];
         const Errors       e = mass_errors(model, body, MPI_COMM_WORLD),
                      f       = mass_errors(fine, body, MPI_COMM_WORLD);
-        check_near(e.mass, 0, mass_limit[0], n + ": mass error, 16 mm blocks");
-        check_near(f.mass, 0, mass_limit[1], n + ": mass error, 8 mm blocks");
-        check_near(e.centre, 0, centre_limit[0], n + ": error of the centre of gravity [m], 16 mm blocks");
-        check_near(f.centre, 0, centre_limit[1], n + ": error of the centre of gravity [m], 8 mm blocks");
-        check_near(polygon_mass_error(model, body, e),
-                   0,
-                   4e-3,
-                   n + ": mass against that of straight-sided blocks, 16 mm");
-        check_near(polygon_mass_error(fine, body, f),
-                   0,
-                   5e-4,
-                   n + ": mass against that of straight-sided blocks, 8 mm");
+        BOOST_TEST(near(e.mass, 0, mass_limit[0], n + ": mass error, 16 mm blocks"));
+        BOOST_TEST(near(f.mass, 0, mass_limit[1], n + ": mass error, 8 mm blocks"));
+        BOOST_TEST(
+          near(e.centre, 0, centre_limit[0], n + ": error of the centre of gravity [m], 16 mm blocks"));
+        BOOST_TEST(
+          near(f.centre, 0, centre_limit[1], n + ": error of the centre of gravity [m], 8 mm blocks"));
+        BOOST_TEST(near(polygon_mass_error(model, body, e),
+                        0,
+                        4e-3,
+                        n + ": mass against that of straight-sided blocks, 16 mm"));
+        BOOST_TEST(near(polygon_mass_error(fine, body, f),
+                        0,
+                        5e-4,
+                        n + ": mass against that of straight-sided blocks, 8 mm"));
         if (body == Body::wheel)
           {
-            check_near(e.inertia, 0, 10e-3, n + ": error of the inertia about the axle, 16 mm blocks");
-            check_near(f.inertia, 0, 3e-3, n + ": error of the inertia about the axle, 8 mm blocks");
+            BOOST_TEST(near(e.inertia, 0, 10e-3, n + ": error of the inertia about the axle, 16 mm blocks"));
+            BOOST_TEST(near(f.inertia, 0, 3e-3, n + ": error of the inertia about the axle, 8 mm blocks"));
           }
         // rows of the web are 8 mm tall in both meshes, and so are those in the fillets of the disc, whose
         // surplus is all that the mass of the wheel is off
-        check(std::abs(f.mass) < (body == Body::rail ? 0.6 : 1) * std::abs(e.mass),
-              n + ": the mass error falls with the blocks");
-        check(f.centre < 0.5 * e.centre, n + ": the error of the centre falls with the blocks");
+        BOOST_TEST(std::abs(f.mass) < (body == Body::rail ? 0.6 : 1) * std::abs(e.mass),
+                   n + ": the mass error falls with the blocks");
+        BOOST_TEST(f.centre < 0.5 * e.centre, n + ": the error of the centre falls with the blocks");
       }
   }
 
@@ -183,21 +185,19 @@ namespace
         // the rail's small roundings come into play only with short chords
         const double e1 = polygon_integrals(section, 8)[moment] / exact[moment] - 1;
         const double e2 = polygon_integrals(section, 16)[moment] / exact[moment] - 1;
-        check_near(e1 / e2,
-                   4,
-                   1,
-                   body_name[static_cast<int>(body)] + (moment == 0 ? ": area" : ": third moment") +
-                     " error of 2 mm chords over that of 1 mm");
+        BOOST_TEST(near(e1 / e2,
+                        4,
+                        1,
+                        body_name[static_cast<int>(body)] + (moment == 0 ? ": area" : ": third moment") +
+                          " error of 2 mm chords over that of 1 mm"));
       }
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(mass, test::Parallel)
 {
-  Parallel    parallel(argc, argv);
   const Model model = test::small_model(MPI_COMM_WORLD, 4e-3);
   chords_converge(model.discretization->plan());
   mass_properties_converge(model);
-  return parallel.report();
 }

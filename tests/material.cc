@@ -5,7 +5,7 @@
 
 #include <wheelrail/material/bilinear.h>
 
-#include "check.h"
+#include "near.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ namespace
           // the elastic slope is never too flat, so this goes down monotonically
           lateral -= S[1][0] / (2 * bulk + 2 * shear / 3);
         }
-      test::check(false, "lateral stress vanishes");
+      BOOST_TEST(false, "lateral stress vanishes");
     }
 
     /// Goes to a strain in small steps. Returns the external work by the trapezoidal rule [J/m3].
@@ -80,14 +80,15 @@ namespace
     Simd<1>                      S[6], work = 0.;
     const double                 nu = steel.poissons_ratio, G = steel.youngs_modulus / (2 + 2 * nu);
     const double                 confined = 2 * G * (1 - nu) / (1 - 2 * nu);
-    test::check(!point_response(law, strain, nothing, S, work) && work[0] == 0, "an elastic law never flows");
-    test::check_near(S[0][0], confined * 0.01, 1, "elastic stress along a confined strain");
-    test::check_near(S[1][0], confined * 0.01 * nu / (1 - nu), 1, "elastic stress across it");
-    test::check_near(S[5][0], 2 * G * 0.02, 1, "elastic shear stress");
-    test::check_near(law.stored_energy(strain, nothing, S)[0],
-                     0.5 * confined * 1e-4 + 2 * G * 4e-4,
-                     1e-3,
-                     "elastic energy density");
+    BOOST_TEST((!point_response(law, strain, nothing, S, work) && work[0] == 0),
+               "an elastic law never flows");
+    BOOST_TEST(test::near(S[0][0], confined * 0.01, 1, "elastic stress along a confined strain"));
+    BOOST_TEST(test::near(S[1][0], confined * 0.01 * nu / (1 - nu), 1, "elastic stress across it"));
+    BOOST_TEST(test::near(S[5][0], 2 * G * 0.02, 1, "elastic shear stress"));
+    BOOST_TEST(test::near(law.stored_energy(strain, nothing, S)[0],
+                          0.5 * confined * 1e-4 + 2 * G * 4e-4,
+                          1e-3,
+                          "elastic energy density"));
   }
 
   Bar
@@ -106,16 +107,16 @@ namespace
     Bar               b    = bar(Et, kinematic);
     const double      ey = yield / E, e1 = 6e-3;
     b.go_to(0.999 * ey);
-    test::check_near(b.stress, 0.999 * yield, 1, "elastic up to yield" + name);
-    test::check_near(b.history.accumulated[0], 0, 0, "no plastic strain before yield" + name);
+    BOOST_TEST(test::near(b.stress, 0.999 * yield, 1, "elastic up to yield" + name));
+    BOOST_TEST(test::near(b.history.accumulated[0], 0, 0, "no plastic strain before yield" + name));
     b.go_to(e1);
     const double s1 = yield + Et * (e1 - ey);
-    test::check_near(b.stress, s1, 1e3, "loading follows the tangent modulus" + name);
-    test::check_near(b.history.strain[0][0], e1 - s1 / E, 1e-10, "plastic strain" + name);
+    BOOST_TEST(test::near(b.stress, s1, 1e3, "loading follows the tangent modulus" + name));
+    BOOST_TEST(test::near(b.history.strain[0][0], e1 - s1 / E, 1e-10, "plastic strain" + name));
     b.go_to(e1 - 0.5 * ey);
-    test::check_near(b.stress, s1 - 0.5 * yield, 1e3, "unloading is elastic" + name);
+    BOOST_TEST(test::near(b.stress, s1 - 0.5 * yield, 1e3, "unloading is elastic" + name));
     b.go_to(e1);
-    test::check_near(b.stress, s1, 1e3, "reloading returns to the same point" + name);
+    BOOST_TEST(test::near(b.stress, s1, 1e3, "reloading returns to the same point" + name));
     // reversal: the elastic range is 2 (yield + (1 - f) H alpha)
     const double H     = E * Et / (E - Et);
     const double alpha = e1 - s1 / E;
@@ -123,13 +124,13 @@ namespace
     const double e2    = e1 - range / E - 4e-3;
     b.go_to(e2);
     const double s2 = s1 - range - Et * 4e-3;
-    test::check_near(b.stress, s2, 1e3, "reversed yield" + name);
+    BOOST_TEST(test::near(b.stress, s2, 1e3, "reversed yield" + name));
     const double plastic = 4e-3 * (1 - Et / E);
-    test::check_near(b.history.accumulated[0], alpha + plastic, 1e-10, "accumulated strain" + name);
+    BOOST_TEST(test::near(b.history.accumulated[0], alpha + plastic, 1e-10, "accumulated strain" + name));
     // and back: the range has grown by the isotropic part
     const double range2 = 2 * (yield + (1 - kinematic) * H * (alpha + plastic));
     b.go_to(e2 + range2 / E + 2e-3);
-    test::check_near(b.stress, s2 + range2 + Et * 2e-3, 1e3, "second reversal" + name);
+    BOOST_TEST(test::near(b.stress, s2 + range2 + Et * 2e-3, 1e3, "second reversal" + name));
   }
 
   void
@@ -139,12 +140,12 @@ namespace
     double external = b.walk_to(0, 8e-3, 400);
     external += b.walk_to(8e-3, -8e-3, 800);
     external += b.walk_to(-8e-3, 2e-3, 500);
-    test::check_near((b.elastic + b.work) / external,
-                     1,
-                     1e-4,
-                     "elastic energy and plastic work are the external work, E_t = " +
-                       std::to_string(tangent / 1e9) + " GPa, kinematic " + std::to_string(kinematic));
-    test::check(b.work > 0, "plastic work is positive");
+    BOOST_TEST(test::near((b.elastic + b.work) / external,
+                          1,
+                          1e-4,
+                          "elastic energy and plastic work are the external work, E_t = " +
+                            std::to_string(tangent / 1e9) + " GPa, kinematic " + std::to_string(kinematic)));
+    BOOST_TEST(b.work > 0, "plastic work is positive");
   }
 
   void
@@ -152,9 +153,9 @@ namespace
   {
     Bar b = bar(0, 0.5);
     b.go_to(0.05);
-    test::check_near(b.stress, yield, 1e3, "perfect plasticity keeps the yield stress");
+    BOOST_TEST(test::near(b.stress, yield, 1e3, "perfect plasticity keeps the yield stress"));
     b.go_to(-0.05);
-    test::check_near(b.stress, -yield, 1e3, "and in compression");
+    BOOST_TEST(test::near(b.stress, -yield, 1e3, "and in compression"));
     // pure shear: yields at yield / sqrt(3), whatever the step
     const Elasticity  steel;
     const BilinearLaw law(steel, {yield, 0, 0});
@@ -162,9 +163,9 @@ namespace
     Simd<1>           S[6], work = 0.;
     const Simd<1>     strain[6] = {0., 0., 0., 0., 0., 0.01};
     point_response(law, strain, history, S, work);
-    test::check_near(S[5][0], yield / std::sqrt(3.), 1, "shear yield stress");
-    test::check_near(
-      work[0], S[5][0] * 2 * (0.01 - S[5][0] / (2 * law.shear)), 1e-6, "plastic work of one large step");
+    BOOST_TEST(test::near(S[5][0], yield / std::sqrt(3.), 1, "shear yield stress"));
+    BOOST_TEST(test::near(
+      work[0], S[5][0] * 2 * (0.01 - S[5][0] / (2 * law.shear)), 1e-6, "plastic work of one large step"));
   }
 
   /// Shear slope in flow and volumetric elasticity.
@@ -179,9 +180,9 @@ namespace
     point_response(law, strain, history, S0, work);
     strain[5] = 0.006;
     point_response(law, strain, history, S1, work);
-    test::check_near(
-      (S1[5][0] - S0[5][0]) / (2 * law.shear * 0.001), law.tangent_ratio, 1e-9, "shear slope in flow");
-    test::check_near(S1[0][0], 3 * steel.bulk_modulus() * 0.001, 10, "volume changes stay elastic");
+    BOOST_TEST(test::near(
+      (S1[5][0] - S0[5][0]) / (2 * law.shear * 0.001), law.tangent_ratio, 1e-9, "shear slope in flow"));
+    BOOST_TEST(test::near(S1[0][0], 3 * steel.bulk_modulus() * 0.001, 10, "volume changes stay elastic"));
   }
 
   template <int W>
@@ -214,14 +215,14 @@ namespace
             worst = std::max(std::abs(w[0] - double(work[l])), worst);
           }
       }
-    test::check_near(worst / yield, 0, 1e-13, "width " + std::to_string(W) + " equals width 1");
-    test::check(any == (W > 1), "yield is reported");
-    test::check_near(many.accumulated[0], 0, 0, "the lane at rest keeps no history");
+    BOOST_TEST(test::near(worst / yield, 0, 1e-13, "width " + std::to_string(W) + " equals width 1"));
+    BOOST_TEST((any == (W > 1)), "yield is reported");
+    BOOST_TEST(test::near(many.accumulated[0], 0, 0, "the lane at rest keeps no history"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(material)
 {
   hooke();
   for (const double kinematic : {0., 0.5, 1.})
@@ -237,5 +238,4 @@ main()
   width<2>();
   width<4>();
   width<8>();
-  return test::report();
 }

@@ -1,7 +1,7 @@
 // Surfaces that were measured, by half-spaces: noise is smoothed and told, slices lie at unequal places, the
 // edges of a fresh flat are found in its heights.
 // needs: sections
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/model/model.h>
@@ -19,8 +19,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -110,10 +109,10 @@ namespace
   check_note(const Scene &scene, const std::string &text)
   {
     const std::vector<std::string> notes = make_geometry(scene).notes;
-    check(std::any_of(notes.begin(),
-                      notes.end(),
-                      [&](const std::string &note) { return note.find(text) != std::string::npos; }),
-          "a note: " + text);
+    BOOST_TEST(std::any_of(notes.begin(),
+                           notes.end(),
+                           [&](const std::string &note) { return note.find(text) != std::string::npos; }),
+               "a note: " + text);
   }
 
   /// Whether verdicts tell, at one of the places at least, that noise leaves the peak pressure uncertain.
@@ -123,7 +122,7 @@ namespace
     const bool found = std::any_of(places.begin(), places.end(), [](const PlaceContact &one) {
       return one.verdict.doubts().find("leaves the peak pressure uncertain") != std::string::npos;
     });
-    check(found == told, what + (told ? ": the noise is told" : ": no noise is told"));
+    BOOST_TEST((found == told), what + (told ? ": the noise is told" : ": no noise is told"));
   }
 
   /// A hollow of 0.2 mm over 60 mm as heights along a line each 0.5 mm, or on a grid each 2 mm.
@@ -148,8 +147,7 @@ namespace
   }
 
   /// Heights that were measured with noise, solved as they come, have peaks a third too high with 1 um of it.
-  void
-  test_measured_heights()
+  BOOST_AUTO_TEST_CASE(test_measured_heights)
   {
     for (const bool grid : {false, true})
       {
@@ -165,8 +163,8 @@ namespace
         const std::string at    = grid ? "heights on a grid" : "heights along a line";
         const auto        exact = found(0);
         check_noise_told(exact, false, at + " without noise");
-        check_near(
-          differences(found(1e-6), exact).second, 0, 0.03, at + " with noise of 1 um: peak pressure");
+        BOOST_TEST(
+          near(differences(found(1e-6), exact).second, 0, 0.03, at + " with noise of 1 um: peak pressure"));
         check_noise_told(found(20e-6), true, at + " with noise of 20 um");
         check_note(scene, " found in the heights smoothed");
       }
@@ -199,8 +197,7 @@ namespace
 
   /// Edges are found where they are, whatever the spacing, and no peak pressure there is trusted; what is
   /// round has none, nor noise.
-  void
-  test_edges_of_heights()
+  BOOST_AUTO_TEST_CASE(test_edges_of_heights)
   {
     for (const double step : {2e-3, 1e-3, 0.25e-3})
       for (const double off : {0., 0.37 * step})
@@ -208,9 +205,9 @@ namespace
           const HeightGrid        line  = heights_of_fresh_flat(step, off);
           const std::vector<Kink> kinks = kinks_of(line, 0);
           const std::string       at    = "heights each " + std::to_string(1e3 * step) + " mm: ";
-          check(kinks.size() >= 2, at + "both edges are found");
+          BOOST_TEST(kinks.size() >= 2, at + "both edges are found");
           for (const Kink &kink : kinks)
-            check_near(std::abs(kink.along), 15e-3, 1.5 * step, at + "an edge is where it is [m]");
+            BOOST_TEST(near(std::abs(kink.along), 15e-3, 1.5 * step, at + "an edge is where it is [m]"));
           if (off > 0)
             continue;
           Scene scene;
@@ -222,16 +219,17 @@ namespace
           write_heights(line, "edges.csv");
           for (const PlaceContact &one :
                solve_places(scene, make_geometry(scene), 45e3, parse_irregular_places("13 mm", false)))
-            check(one.verdict.doubts().find(" an edge of 3") != std::string::npos, at + "the edge is told");
+            BOOST_TEST((one.verdict.doubts().find(" an edge of 3") != std::string::npos),
+                       at + "the edge is told");
         }
     for (const double step : {2e-3, 0.5e-3})
       {
         HeightGrid smooth = heights_of_fresh_flat(step, 0);
         for (std::size_t k = 0; k < smooth.along.size(); ++k)
           smooth.height[k] = -0.1e-3 * (1 + std::cos(M_PI * std::min(1., std::abs(smooth.along[k]) / 20e-3)));
-        check(kinks_of(smooth, 0).empty(), "a round hollow has no edge");
+        BOOST_TEST(kinks_of(smooth, 0).empty(), "a round hollow has no edge");
         smooth.noise = 5e-6;
-        check(kinks_of(with_noise(smooth, false, 1), 0).empty(), "noise is no edge");
+        BOOST_TEST(kinks_of(with_noise(smooth, false, 1), 0).empty(), "noise is no edge");
       }
     HeightGrid polygon; // all around the wheel, whose last and first place are neighbours
     for (int k = 0; k < 1000; ++k)
@@ -239,37 +237,37 @@ namespace
         polygon.along.push_back(2e-3 * M_PI * 0.46 * k);
         polygon.height.push_back(20e-6 * std::sin(2e-3 * M_PI * 20 * k));
       }
-    check(kinks_of(polygon, 2 * M_PI * 0.46).empty(), "a polygon has none where it is closed");
+    BOOST_TEST(kinks_of(polygon, 2 * M_PI * 0.46).empty(), "a polygon has none where it is closed");
   }
 
   /// A flat that was measured with noise is the flat; unevenly spaced slices are the even ones.
-  void
-  test_measured_flats()
+  BOOST_AUTO_TEST_CASE(test_measured_flats)
   {
     const Curve tread = make_geometry(Scene()).wheel.tread;
     write_measured_flat("even", tread, every(1e-3), 1, 0);
     const auto even = places_on("even");
     for (const PlaceContact &one : even)
-      check(one.verdict.doubts().find("creep") == std::string::npos, "a wheel at rest does not creep");
+      BOOST_TEST((one.verdict.doubts().find("creep") == std::string::npos), "a wheel at rest does not creep");
     for (const double step : {2e-3, 5e-3})
       {
         write_measured_flat("noisy", tread, every(step), 1, 10e-6);
         const auto [drop, peak] = differences(places_on("noisy"), even);
         const std::string at    = "10 um of noise, slices each " + std::to_string(1e3 * step) + " mm: ";
-        check_near(1e6 * drop, 0, 5, at + "drop [um]");
-        check_near(peak, 0, 0.02, at + "peak pressure");
+        BOOST_TEST(near(1e6 * drop, 0, 5, at + "drop [um]"));
+        BOOST_TEST(near(peak, 0, 0.02, at + "peak pressure"));
       }
     // each slice is off by an error of its own; of seven seeds the drop by 3 to 7 um, the peak by 2 to 5 %
     write_measured_flat("noisy", tread, every(2e-3), 1, 10e-6, true);
     const auto [drop, peak] = differences(places_on("noisy"), even);
-    check_near(1e6 * drop, 0, 10, "slices that are off by 10 um as a whole: drop [um]");
-    check_near(peak, 0, 0.06, "slices that are off by 10 um as a whole: peak pressure");
+    BOOST_TEST(near(1e6 * drop, 0, 10, "slices that are off by 10 um as a whole: drop [um]"));
+    BOOST_TEST(near(peak, 0, 0.06, "slices that are off by 10 um as a whole: peak pressure"));
     check_noise_told(places_on("noisy", 0.02), true, "slices that are off by 10 um as a whole");
     check_note(scene_on("noisy"), "slices off as a whole by ");
     // what smoothing itself takes off counts as well: here the peak is 5.7 % low
     write_measured_flat("off", tread, every(2e-3), 1, 10e-6, true, 17);
     const auto at_side = places_on("off", 0.05, "24 mm");
-    check(differences(at_side, places_on("even", 0.05, "24 mm")).second > 0.05, "a peak that misses by 5 %");
+    BOOST_TEST(differences(at_side, places_on("even", 0.05, "24 mm")).second > 0.05,
+               "a peak that misses by 5 %");
     check_noise_told(at_side, true, "a peak that misses by 5 %");
     write_measured_flat("off", tread, every(2e-3), 1, 2e-6, true, 17);
     check_noise_told(places_on("off", 0.05, "-8:8:8 mm"), false, "slices that are off by 2 um as a whole");
@@ -282,17 +280,8 @@ namespace
         write_measured_flat("uneven", tread, uneven, kind, 0);
         const auto [drop, peak] = differences(places_on("uneven"), even);
         const std::string at    = "slices 1 and 3 mm apart, kind " + std::to_string(kind) + ": ";
-        check_near(1e6 * drop, 0, 2, at + "drop [um]");
-        check_near(peak, 0, 0.01, at + "peak pressure");
+        BOOST_TEST(near(1e6 * drop, 0, 2, at + "drop [um]"));
+        BOOST_TEST(near(peak, 0, 0.01, at + "peak pressure"));
       }
   }
 } // namespace
-
-int
-main()
-{
-  test_measured_flats();
-  test_measured_heights();
-  test_edges_of_heights();
-  return test::report();
-}

@@ -7,8 +7,8 @@
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/mesh/wheel_section.h>
 
-#include "check.h"
 #include "error_of.h"
+#include "near.h"
 #include "section_properties.h"
 #include "section_quality.h"
 
@@ -64,15 +64,15 @@ namespace
       good = good && use.count(entry.first) == 1 && use.at(entry.first) == 1;
     // Euler's formula of a region without holes
     good = good && section.corners.size() + section.blocks.size() == use.size() + 1;
-    test::check(good,
-                name + ": blocks fit together, " + std::to_string(section.blocks.size()) + " blocks, " +
-                  std::to_string(on_boundary) + " boundary edges");
+    BOOST_TEST(good,
+               name + ": blocks fit together, " + std::to_string(section.blocks.size()) + " blocks, " +
+                 std::to_string(on_boundary) + " boundary edges");
 
     double jump = 0;
     for (const auto &[edge, curve] : section.curved)
       jump = std::max(
         {jump, norm(curve(0) - section.corners[edge[0]]), norm(curve(1) - section.corners[edge[1]])});
-    test::check_near(jump, 0, 1e-9, name + ": curved edges end in their corners");
+    BOOST_TEST(test::near(jump, 0, 1e-9, name + ": curved edges end in their corners"));
   }
 
   // Largest distance of points on edges with a mark from a profile.
@@ -138,7 +138,7 @@ namespace
               }
           }
       }
-    test::check(found + 1 == strip.s.size(), "  the strip has its blocks: " + std::to_string(found));
+    BOOST_TEST((found + 1 == strip.s.size()), "  the strip has its blocks: " + std::to_string(found));
     return result;
   }
 
@@ -225,7 +225,7 @@ namespace
          << fine.min_scaled_jacobian << ", 4 x 4 " << coarse.min_scaled_jacobian << ", blocks "
          << blocks.min_scaled_jacobian << "; edges in the strip " << smallest * 1e3 << " to " << largest * 1e3
          << " mm, block edges " << blocks.min_edge * 1e3 << " to " << blocks.max_edge * 1e3 << " mm";
-    test::check(good, text.str());
+    BOOST_TEST(good, text.str());
   }
 
   // Area of the wheel section from its parts: rim below the tread (by Gauss's rule on the curve),
@@ -291,8 +291,8 @@ namespace
     const Range limits = strip_limits(wheel_top, rail_top);
     std::cout << ", possible from " << limits.s0 * 1e3 << " to " << limits.s1 * 1e3 << std::endl;
     for (const Range &range : interpenetration(wheel_top, rail_top, 1e-4))
-      test::check(strip.s.front() < range.s0 && strip.s.back() > range.s1,
-                  "  the strip covers an interpenetration");
+      BOOST_TEST((strip.s.front() < range.s0 && strip.s.back() > range.s1),
+                 "  the strip covers an interpenetration");
 
     const Section rail_section  = make_rail_section(rail, contact.rail, strip, block);
     const Section wheel_section = make_wheel_section(wheel, dimensions, contact.wheel, strip, block);
@@ -309,39 +309,39 @@ namespace
     const auto        rail_profile_point = [&](const Point2 &p) { return contact.rail.to_section(p); };
     const StripBlocks on_rail            = strip_blocks(rail_section, strip, rail_to_track);
     const StripBlocks on_wheel           = strip_blocks(wheel_section, strip, wheel_to_track);
-    test::check_near(
-      std::max(on_rail.error, on_wheel.error), 0, 1e-9, name + ": vertices in the strip at equal s");
-    test::check_near(distance_from(rail_section, Boundary::running, rail.outline, rail_profile_point),
-                     0,
-                     1e-9,
-                     name + ", rail: running edges on the profile");
-    test::check_near(distance_from(rail_section, Boundary::foot, rail.outline, rail_profile_point),
-                     0,
-                     1e-9,
-                     name + ", rail: foot edges on the profile");
-    test::check_near(distance_from(wheel_section, Boundary::running, wheel.tread, wheel_profile_point),
-                     0,
-                     1e-9,
-                     name + ", wheel: running edges on the profile");
+    BOOST_TEST(test::near(
+      std::max(on_rail.error, on_wheel.error), 0, 1e-9, name + ": vertices in the strip at equal s"));
+    BOOST_TEST(test::near(distance_from(rail_section, Boundary::running, rail.outline, rail_profile_point),
+                          0,
+                          1e-9,
+                          name + ", rail: running edges on the profile"));
+    BOOST_TEST(test::near(distance_from(rail_section, Boundary::foot, rail.outline, rail_profile_point),
+                          0,
+                          1e-9,
+                          name + ", rail: foot edges on the profile"));
+    BOOST_TEST(test::near(distance_from(wheel_section, Boundary::running, wheel.tread, wheel_profile_point),
+                          0,
+                          1e-9,
+                          name + ", wheel: running edges on the profile"));
 
     const double rail_area = test::section_properties(rail.outline).area,
                  wheel_sum = wheel_area(wheel, dimensions);
-    test::check_near(
-      test::section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area");
-    test::check_near(
-      test::section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area");
+    BOOST_TEST(
+      test::near(test::section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area"));
+    BOOST_TEST(
+      test::near(test::section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area"));
     const WheelSectionOutline outline = make_wheel_section_outline(wheel, dimensions);
-    test::check_near(moment_about_axle(outline, dimensions) / meshed_moment(wheel_section),
-                     1,
-                     1e-4,
-                     name + ", wheel: weight of its outline over that of its mesh");
+    BOOST_TEST(test::near(moment_about_axle(outline, dimensions) / meshed_moment(wheel_section),
+                          1,
+                          1e-4,
+                          name + ", wheel: weight of its outline over that of its mesh"));
     const double cell        = (strip.s.back() - strip.s.front()) / (16 * (strip.s.size() - 1));
     const double rail_width  = width_below(rail_section, on_rail, cell),
                  wheel_width = width_below(wheel_section, on_wheel, cell);
     std::ostringstream widths;
     widths << std::setprecision(3) << name << ": width of the strip's cells 6 mm deep, rail " << rail_width
            << ", wheel " << wheel_width << " of that on the surface";
-    test::check(std::min(rail_width, wheel_width) > 0.85, widths.str());
+    BOOST_TEST(std::min(rail_width, wheel_width) > 0.85, widths.str());
     check_shape(rail_section, on_rail, block, name + ", rail");
     check_shape(wheel_section, on_wheel, block, name + ", wheel");
   }
@@ -357,7 +357,7 @@ namespace
 
     const auto check_refused = [](const std::function<void()> &action, const std::string &what) {
       const std::string error = test::error_of<InputError>(action);
-      test::check(!error.empty(), what + ": " + error);
+      BOOST_TEST(!error.empty(), what + ": " + error);
     };
     WheelDimensions thin, hub;
     thin.rim_width       = 0.1;
@@ -370,8 +370,7 @@ namespace
 } // namespace
 
 
-int
-main()
+BOOST_AUTO_TEST_CASE(mesh_sections)
 {
   for (const std::string rail : {"54E1", "60E1"})
     for (const double shift : {0., 1e-3, 3.5e-3, -2e-3, -3.5e-3, -5.5e-3})
@@ -382,8 +381,7 @@ main()
           }
         catch (const std::exception &error)
           {
-            test::check(false, rail + " at " + std::to_string(shift * 1e3) + " mm: " + error.what());
+            BOOST_TEST(false, rail + " at " + std::to_string(shift * 1e3) + " mm: " + error.what());
           }
   check_errors();
-  return test::report();
 }

@@ -9,7 +9,7 @@
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/profiles/measured_profiles.h>
 
-#include "check.h"
+#include "near.h"
 #include "profile_samples.h"
 #include "section_quality.h"
 
@@ -19,7 +19,6 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
 
 namespace
 {
@@ -105,13 +104,13 @@ namespace
       {
         const FineStrip strip   = make_fine_strip(contact, wheel_top, rail_top, 1e-4, 0.003, block);
         const Section   section = make_rail_section(rail, contact.rail, strip, block);
-        check(test::section_quality(section, 4).min_scaled_jacobian > 0.05,
-              name + ": smallest sine of a corner " +
-                std::to_string(test::section_quality(section, 4).min_scaled_jacobian));
+        BOOST_TEST(test::section_quality(section, 4).min_scaled_jacobian > 0.05,
+                   name + ": smallest sine of a corner " +
+                     std::to_string(test::section_quality(section, 4).min_scaled_jacobian));
       }
     catch (const std::exception &error)
       {
-        check(false, name + ": " + error.what());
+        BOOST_TEST(false, name + ": " + error.what());
       }
   }
 
@@ -147,18 +146,18 @@ namespace
         for (const SurfaceRow &row : rows_on_profile(mesh, profile.head, false, 0, 1))
           if (row.place.x > -15e-3 && row.place.x < 15e-3)
             arcs.push_back(row.place.x);
-        check(arcs.size() >= 14,
-              name + ": the crown stays exact, with " + std::to_string(arcs.size()) + " rows");
+        BOOST_TEST(arcs.size() >= 14,
+                   name + ": the crown stays exact, with " + std::to_string(arcs.size()) + " rows");
       }
     catch (const std::exception &error)
       {
-        check(false, name + ": " + error.what());
+        BOOST_TEST(false, name + ": " + error.what());
       }
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(mesh_worn_rails)
 {
   for (const std::string rail : {"54E1", "60E1"})
     for (const double height : {0.2e-3, 0.7e-3, 2e-3})
@@ -180,5 +179,4 @@ main()
            {"54E1", 0, 0, 8e-3, 6e-3, 18e-3, 25e-3},
            {"60E1", 9e-3, 0.1, 8e-3, 0, 32e-3, 32e-3, -0.02}})
       check_section(wear, block);
-  return test::report();
 }

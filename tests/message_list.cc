@@ -4,7 +4,7 @@
 // was done to a profile. The messages are found in the source: the texts of InputError, RunError, and of the
 // lists of problems, findings and notes.
 
-#include "check.h"
+#include "near.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-using test::check;
 
 namespace
 {
@@ -202,8 +201,8 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(message_list)
 {
   // a test may compare a part of a message, but one that tells it from others
   std::vector<std::string> tested;
@@ -214,7 +213,7 @@ main()
           tested.push_back(text);
 
   const std::vector<Message> messages = messages_of_source();
-  check(messages.size() > 100, std::to_string(messages.size()) + " messages found in the source");
+  BOOST_TEST(messages.size() > 100, std::to_string(messages.size()) + " messages found in the source");
   for (const Message &message : messages)
     {
       const std::string key = key_of(message);
@@ -227,7 +226,6 @@ main()
                  return 2 * text.size() > key.size() && part.find(text) != std::string::npos;
                });
       });
-      check(is_tested, "a test compares \"" + key + "\" of " + message.file);
+      BOOST_TEST(is_tested, "a test compares \"" + key + "\" of " + message.file);
     }
-  return test::report();
 }

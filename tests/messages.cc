@@ -17,16 +17,14 @@
 #include <sstream>
 
 using namespace wheelrail;
-using test::check;
 using test::check_file;
 using test::check_set;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
-  void
-  test_values()
+  BOOST_AUTO_TEST_CASE(test_values)
   {
     check_file(
       "subsection Wheelset\n  set Velocity = 140\nend",
@@ -89,8 +87,7 @@ namespace
               "--set: Output/Folder = runs\\: a text is one line that does not end with a backslash");
   }
 
-  void
-  test_names()
+  BOOST_AUTO_TEST_CASE(test_names)
   {
     check_file("subsection Wheelset\nset Velocty = 1 m/s\nend",
                "x.prm:2: Wheelset/Velocty: no such entry; the nearest is Wheelset/Velocity",
@@ -139,17 +136,16 @@ namespace
       "Material test, Study");
   }
 
-  void
-  test_syntax()
+  BOOST_AUTO_TEST_CASE(test_syntax)
   {
     check_file("subsection Run\nset Rolling distance = 30 mm\nset Rolling distance = 40 mm\nend",
                "x.prm:3: Run/Rolling distance: set a second time, first at x.prm:2; keep one of them",
                "an entry set twice");
-    check_text(message_of([]() {
-                 scene_from_text("", "x.prm", {"Title = a", "Title = b"});
-               }),
-               "--set: Title: set a second time; keep one of them",
-               "--set twice");
+    BOOST_TEST(same_text(message_of([]() {
+                           scene_from_text("", "x.prm", {"Title = a", "Title = b"});
+                         }),
+                         "--set: Title: set a second time; keep one of them",
+                         "--set twice"));
     check_file("subsection Run\nset Rolling distance = 30 mm",
                "x.prm:1: subsection Run is not closed: an \"end\" is missing",
                "a missing end at the end");
@@ -193,8 +189,7 @@ namespace
   }
 
   /// Many faults, long and unprintable texts: a message stays readable.
-  void
-  test_long_texts()
+  BOOST_AUTO_TEST_CASE(test_long_texts)
   {
     std::string text, expected;
     for (int line = 1; line <= 40; ++line)
@@ -217,12 +212,13 @@ namespace
     check_set(accepted, "no message");
     check_set("Wheelset/Drive = a\nb",
               "--set: Wheelset/Drive = a?b: not known here; torque or rate is accepted");
-    check_text(shown_text("gr\xC3\xBC\xC3\x9F", 3), "gr...", "a letter of two bytes is not cut in two");
-    check_text(shown_text("gr\xC3\xBC\xC3\x9F", 4), "gr\xC3\xBC...", "a letter of two bytes is kept whole");
+    BOOST_TEST(
+      same_text(shown_text("gr\xC3\xBC\xC3\x9F", 3), "gr...", "a letter of two bytes is not cut in two"));
+    BOOST_TEST(
+      same_text(shown_text("gr\xC3\xBC\xC3\x9F", 4), "gr\xC3\xBC...", "a letter of two bytes is kept whole"));
   }
 
-  void
-  test_files()
+  BOOST_AUTO_TEST_CASE(test_files)
   {
     namespace fs = std::filesystem;
     fs::create_directories("messages");
@@ -234,7 +230,7 @@ namespace
       6);
     const auto check_path =
       [](const std::string &path, const std::string &expected, const std::string &what) {
-        check_text(message_of([&]() { read_input_file(path); }), expected, what);
+        BOOST_TEST(same_text(message_of([&]() { read_input_file(path); }), expected, what));
       };
     check_path("messages/roling.prm",
                "messages/roling.prm: no such file; the nearest is messages/rolling.prm",
@@ -264,15 +260,15 @@ namespace
     test::check_unreadable([](const std::string &path) { read_input_file(path); });
   }
 
-  void
-  test_command_line()
+  BOOST_AUTO_TEST_CASE(test_command_line)
   {
     const auto check_line = [](const Arguments &arguments, const std::string &expected) {
       std::string line;
       for (const std::string &argument : arguments)
         line += " " + argument;
       const RunFunction run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
-      check_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line);
+      BOOST_TEST(
+        same_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line));
     };
     check_line({"simulate"},
                "\"simulate\" is no command; there are run, geometry, halfspace, receptance, material, "
@@ -337,8 +333,7 @@ namespace
   }
 
   // --validate knows from the launcher on how many processes the run would start.
-  void
-  test_ranks()
+  BOOST_AUTO_TEST_CASE(test_ranks)
   {
     std::ofstream("ranks.prm") << "set Title = x\n";
     const long        cores = sysconf(_SC_NPROCESSORS_ONLN);
@@ -350,17 +345,16 @@ namespace
     const std::string warning =
       "warning: --ranks " + ranks + ": more than the " + std::to_string(cores) +
       " cores of this machine; ranks that wait for each other take turns, which is slower than fewer ranks\n";
-    check(out.str().find(warning) != std::string::npos, warning);
+    BOOST_TEST((out.str().find(warning) != std::string::npos), warning);
     unlink("ranks.prm");
   }
 
-  void
-  test_left_out()
+  BOOST_AUTO_TEST_CASE(test_left_out)
   {
-    check_text(message_of([]() { refuse_left_out("receptance", Subject::track); }),
-               "receptance: this program is built without track; "
-               "WHEELRAIL_CMAKE_OPTIONS=-DWHEELRAIL_TRACK=ON ./wheelrail build makes one with it",
-               "a subject that is left out");
+    BOOST_TEST(same_text(message_of([]() { refuse_left_out("receptance", Subject::track); }),
+                         "receptance: this program is built without track; "
+                         "WHEELRAIL_CMAKE_OPTIONS=-DWHEELRAIL_TRACK=ON ./wheelrail build makes one with it",
+                         "a subject that is left out"));
     if (!is_built(Subject::track))
       check_set("Track/Support = sleepers", left_out("--set: Track/Support = sleepers", Subject::track));
     if (!is_built(Subject::vehicle))
@@ -371,17 +365,3 @@ namespace
           "as it rolls on the wheelset, Wheels = one by itself");
   }
 } // namespace
-
-int
-main()
-{
-  test_left_out();
-  test_values();
-  test_names();
-  test_syntax();
-  test_long_texts();
-  test_files();
-  test_command_line();
-  test_ranks();
-  return test::report();
-}

@@ -2,7 +2,7 @@
 
 // How the tests of messages bring them about.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/scene_checks.h>
@@ -59,7 +59,7 @@ namespace test
         found = message_of([&]() { read(name); });
         if (root && seteuid(0) != 0)
           std::abort();
-        check_text(found, name + ": cannot be read; check its permissions", "an unreadable file");
+        BOOST_TEST(same_text(found, name + ": cannot be read; check its permissions", "an unreadable file"));
       }
     unlink(name.c_str());
   }
@@ -67,14 +67,15 @@ namespace test
   inline void
   check_file(const std::string &text, const std::string &expected, const std::string &what)
   {
-    check_text(message_of([&]() { require_computable(scene_from_text(text, "x.prm", {})); }), expected, what);
+    BOOST_TEST(same_text(
+      message_of([&]() { require_computable(scene_from_text(text, "x.prm", {})); }), expected, what));
   }
 
   inline void
   check_set(const std::string &set, const std::string &expected)
   {
-    check_text(message_of([&]() { require_computable(scene_from_text("", "x.prm", {set})); }),
-               expected,
-               "--set " + set);
+    BOOST_TEST(same_text(message_of([&]() { require_computable(scene_from_text("", "x.prm", {set})); }),
+                         expected,
+                         "--set " + set));
   }
 } // namespace test

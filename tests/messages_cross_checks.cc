@@ -10,15 +10,13 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
 using test::check_set;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
-  void
-  test_cross_checks()
+  BOOST_AUTO_TEST_CASE(test_cross_checks)
   {
     check_set(
       "Run/Averaging distance = 200 mm",
@@ -28,14 +26,15 @@ namespace
       "Run/Evaluate at = 55 mm",
       "--set: Run/Evaluate at = 55 mm: half of Run/Averaging distance = 20 mm on either side of it must "
       "lie on the path, from 0 mm to Run/Rolling distance = 60 mm");
-    check_text(message_of([&]() {
-                 require_computable(scene_from_text(
-                   "", "x.prm", {"Run/Rolling distance = until steady", "Run/Evaluate at = 30 mm"}));
-               }),
-               "--set: Run/Evaluate at = 30 mm: a run with Run/Rolling distance = until steady finds the "
-               "stretch of its "
-               "means by itself; write Evaluate at = end, or a Rolling distance in mm",
-               "a place of the means with a run until steady");
+    BOOST_TEST(
+      same_text(message_of([&]() {
+                  require_computable(scene_from_text(
+                    "", "x.prm", {"Run/Rolling distance = until steady", "Run/Evaluate at = 30 mm"}));
+                }),
+                "--set: Run/Evaluate at = 30 mm: a run with Run/Rolling distance = until steady finds the "
+                "stretch of its "
+                "means by itself; write Evaluate at = end, or a Rolling distance in mm",
+                "a place of the means with a run until steady"));
     check_set("Run/Evaluate at = largest force",
               "--set: Run/Evaluate at = largest force: on smooth surfaces the largest force is chance; write "
               "Evaluate at = end, or add an Irregularity");
@@ -45,15 +44,16 @@ namespace
           scene_from_text("", "x.prm", {"Mesh/Window = " + window, "Mesh/Prepared distance = 50 mm"}));
       });
     };
-    check_text(
+    BOOST_TEST(same_text(
       prepared("fixed"),
       "--set: Mesh/Prepared distance = 50 mm: shorter than Run/Rolling distance = 60 mm; write auto, "
       "or a longer distance for a run that is to be resumed with more",
-      "a prepared distance that is too short");
-    check_text(prepared("moving"),
-               "--set: Mesh/Prepared distance = 50 mm: not needed with Mesh/Window = moving, where a resumed "
-               "run may roll on as far as the rail goes; leave it out, or set Mesh/Window = fixed",
-               "a prepared distance with a moving window");
+      "a prepared distance that is too short"));
+    BOOST_TEST(same_text(
+      prepared("moving"),
+      "--set: Mesh/Prepared distance = 50 mm: not needed with Mesh/Window = moving, where a resumed "
+      "run may roll on as far as the rail goes; leave it out, or set Mesh/Window = fixed",
+      "a prepared distance with a moving window"));
     check_set(
       "Run/Rolling distance = 1.7 m",
       "--set: Run/Rolling distance = 1700 mm: with 100 mm of free rail at each end this needs a rail of 1900 "
@@ -105,12 +105,11 @@ namespace
   }
 
   /// What is accepted though it looks odd.
-  void
-  test_accepted()
+  BOOST_AUTO_TEST_CASE(test_accepted)
   {
     const auto check_accepted = [](const std::vector<std::string> &sets, const std::string &what) {
       const Findings found = check_scene(scene_with(sets)).found;
-      check_text(found.errors.empty() ? "" : found.errors.front(), "", what);
+      BOOST_TEST(same_text(found.errors.empty() ? "" : found.errors.front(), "", what));
     };
     check_accepted({"Run/Rolling distance = 0.05 mm", "Run/Averaging distance = 0.05 mm", "Output/Ticks = 1"},
                    "one output cannot be too many");
@@ -121,8 +120,7 @@ namespace
   }
 
   /// Wheels at several places of one rail.
-  void
-  test_passages()
+  BOOST_AUTO_TEST_CASE(test_passages)
   {
     check_set(
       "Mesh/Planned strip = 3 mm",
@@ -138,79 +136,85 @@ namespace
     const auto answer = [](const std::vector<std::string> &sets) {
       return message_of([&]() { require_computable(scene_from_text("", "x.prm", sets)); });
     };
-    check_text(answer({"Mesh/Planned strip = -20 mm, 10 mm", "Wheelset/Yaw = 5 mrad"}),
-               "--set: Mesh/Planned strip = -20 mm, 10 mm: is for wheels without yaw; write none, or "
-               "Wheelset/Yaw = 0 mrad",
-               "a strip with yaw");
-    check_text(
+    BOOST_TEST(
+      same_text(answer({"Mesh/Planned strip = -20 mm, 10 mm", "Wheelset/Yaw = 5 mrad"}),
+                "--set: Mesh/Planned strip = -20 mm, 10 mm: is for wheels without yaw; write none, or "
+                "Wheelset/Yaw = 0 mrad",
+                "a strip with yaw"));
+    BOOST_TEST(same_text(
       answer({"Mesh/Planned strip = -30 mm, 10 mm"}),
       "x.prm: Mesh/Coarse cell size = 16 mm: rail and wheel cannot be divided into cells at Wheelset/Lateral "
       "shift = 0 mm: Mesh/Planned strip: with whole coarse blocks it is 48 mm wide, and the rail is too "
       "steep "
       "from 21.616 mm beside its middle on (positive to the track centre); take a narrower one, or a smaller "
       "Mesh/Coarse cell size.",
-      "a strip that goes round the gauge corner");
-    check_text(answer({"Run/Passage jump = 5"}),
-               "--set: Run/Passage jump: no such entry; all passages are computed: leave it out",
-               "an entry of earlier versions");
-    check_text(answer({"Run/Start offset = 16 mm", "Mesh/Window = fixed"}),
-               "--set: Run/Start offset = 16 mm: with Mesh/Window = fixed the cells of the rail change with "
-               "the start; "
-               "leave it out, or set Mesh/Window = moving",
-               "another start on a fixed mesh");
-    check_text(answer({"Run/Staggered starts = 3", "Mesh/Window = fixed"}),
-               "--set: Run/Staggered starts = 3: with Mesh/Window = fixed the cells of the rail change with "
-               "the start; "
-               "leave it out, or set Mesh/Window = moving",
-               "several starts on a fixed mesh");
-    check_text(answer({"Run/Start offset = 800 mm"}),
-               "x.prm: Run/Rolling distance = 60 mm: with 100 mm of free rail at each end and Run/Start "
-               "offset = 800 mm this "
-               "needs a rail of 1860 mm, and Track/Rail length is 1800 mm; lengthen the rail",
-               "a start too far along");
+      "a strip that goes round the gauge corner"));
+    BOOST_TEST(same_text(answer({"Run/Passage jump = 5"}),
+                         "--set: Run/Passage jump: no such entry; all passages are computed: leave it out",
+                         "an entry of earlier versions"));
+    BOOST_TEST(
+      same_text(answer({"Run/Start offset = 16 mm", "Mesh/Window = fixed"}),
+                "--set: Run/Start offset = 16 mm: with Mesh/Window = fixed the cells of the rail change with "
+                "the start; "
+                "leave it out, or set Mesh/Window = moving",
+                "another start on a fixed mesh"));
+    BOOST_TEST(
+      same_text(answer({"Run/Staggered starts = 3", "Mesh/Window = fixed"}),
+                "--set: Run/Staggered starts = 3: with Mesh/Window = fixed the cells of the rail change with "
+                "the start; "
+                "leave it out, or set Mesh/Window = moving",
+                "several starts on a fixed mesh"));
+    BOOST_TEST(
+      same_text(answer({"Run/Start offset = 800 mm"}),
+                "x.prm: Run/Rolling distance = 60 mm: with 100 mm of free rail at each end and Run/Start "
+                "offset = 800 mm this "
+                "needs a rail of 1860 mm, and Track/Rail length is 1800 mm; lengthen the rail",
+                "a start too far along"));
   }
 
   /// Half-spaces need no cells.
-  void
-  test_halfspace_checks()
+  BOOST_AUTO_TEST_CASE(test_halfspace_checks)
   {
     const auto answer = [](const std::vector<std::string> &sets) {
       return message_of([&]() { require_touching(scene_from_text("", "x.prm", sets)); });
     };
-    check_text(answer({"Wheelset/Lateral shift = -7 mm"}), "no message", "contact on the flange");
-    check_text(answer({"Mesh/Coarse cell size = 12 mm", "Track/Rail length = 200 mm"}),
-               "no message",
-               "cells and a rail that no run could have");
-    check_text(
+    BOOST_TEST(same_text(answer({"Wheelset/Lateral shift = -7 mm"}), "no message", "contact on the flange"));
+    BOOST_TEST(same_text(answer({"Mesh/Coarse cell size = 12 mm", "Track/Rail length = 200 mm"}),
+                         "no message",
+                         "cells and a rail that no run could have"));
+    BOOST_TEST(same_text(
       answer({"Rail material/Yield stress = 480 MPa", "Rail material/Tangent modulus = 210 GPa"}),
       "--set: Rail material/Tangent modulus = 210 GPa: not smaller than Rail material/Young's modulus = "
       "210 GPa; beyond yield the stress rises less than before",
-      "materials are looked at");
+      "materials are looked at"));
     const std::string cyclic = "Rail material/Law = Chaboche", yield = "Rail material/Yield stress = 400 MPa";
-    check_text(answer({cyclic}),
-               "x.prm: Rail material/Yield stress = none: Law = Chaboche needs one, such as 380 MPa",
-               "a yield stress is asked for");
-    check_text(
+    BOOST_TEST(
+      same_text(answer({cyclic}),
+                "x.prm: Rail material/Yield stress = none: Law = Chaboche needs one, such as 380 MPa",
+                "a yield stress is asked for"));
+    BOOST_TEST(same_text(
       answer({cyclic,
               yield,
               "Rail material/Kinematic moduli = 20 GPa, 5 GPa",
               "Rail material/Kinematic rates = 50"}),
       "--set: Rail material/Kinematic rates = 50: 1 for the 2 moduli of Rail material/Kinematic moduli = "
       "20000 MPa, 5000 MPa; each back stress needs both",
-      "lists are compared");
-    check_text(answer({cyclic, yield, "Rail material/Isotropic hardening = -399 MPa"}),
-               "--set: Rail material/Isotropic hardening = -399 MPa: softens the steel to nothing; at least "
-               "a hundredth of "
-               "Rail material/Yield stress = 400 MPa must be left",
-               "softening is bounded");
-    check_text(answer({cyclic,
-                       yield,
-                       "Rail material/Isotropic hardening = -300 MPa",
-                       "Rail material/Isotropic rate = 1000"}),
-               "--set: Rail material/Isotropic rate = 1000: with Rail material/Isotropic hardening = -300 "
-               "MPa the stress "
-               "falls faster than elastic unloading, which no state follows; take a smaller rate",
-               "and so is its rate");
+      "lists are compared"));
+    BOOST_TEST(
+      same_text(answer({cyclic, yield, "Rail material/Isotropic hardening = -399 MPa"}),
+                "--set: Rail material/Isotropic hardening = -399 MPa: softens the steel to nothing; at least "
+                "a hundredth of "
+                "Rail material/Yield stress = 400 MPa must be left",
+                "softening is bounded"));
+    BOOST_TEST(
+      same_text(answer({cyclic,
+                        yield,
+                        "Rail material/Isotropic hardening = -300 MPa",
+                        "Rail material/Isotropic rate = 1000"}),
+                "--set: Rail material/Isotropic rate = 1000: with Rail material/Isotropic hardening = -300 "
+                "MPa the stress "
+                "falls faster than elastic unloading, which no state follows; take a smaller rate",
+                "and so is its rate"));
   }
 
   void
@@ -222,24 +226,23 @@ namespace
     std::string    all;
     for (const std::string &warning : found.warnings)
       all += (all.empty() ? "" : "\n") + warning;
-    check_text(all, expected, "warning: " + expected.substr(0, expected.find(": ")));
-    check(found.errors.empty(), "  and no error");
+    BOOST_TEST(same_text(all, expected, "warning: " + expected.substr(0, expected.find(": "))));
+    BOOST_TEST(found.errors.empty(), "  and no error");
   }
 
   void
   check_error(const std::vector<std::string> &sets, const std::string &expected, const Machine &machine = {})
   {
     const Findings found = check_scene(scene_with(sets), machine).found;
-    check_text(found.errors.empty() ? "no error" : found.errors.front(),
-               expected,
-               "error: " + expected.substr(0, expected.find(": ")));
+    BOOST_TEST(same_text(found.errors.empty() ? "no error" : found.errors.front(),
+                         expected,
+                         "error: " + expected.substr(0, expected.find(": "))));
   }
 
-  void
-  test_warnings()
+  BOOST_AUTO_TEST_CASE(test_warnings)
   {
     const Findings none = check_scene(Scene(), {2, 2, 16e9, 12e9}).found;
-    check(none.errors.empty() && none.warnings.empty(), "the defaults raise no question");
+    BOOST_TEST((none.errors.empty() && none.warnings.empty()), "the defaults raise no question");
     check_warning({"Contact/Friction coefficient = 0.2", "Wheelset/Traction coefficient = 0.25"},
                   "Wheelset/Traction coefficient = 0.25: friction transmits at most Contact/Friction "
                   "coefficient = 0.2, so the whole patch slides and the wheel spins up while it rolls");
@@ -379,14 +382,3 @@ namespace
                 "260 mm, and Track/Rail length is 200 mm; lengthen the rail");
   }
 } // namespace
-
-int
-main()
-{
-  test_cross_checks();
-  test_passages();
-  test_accepted();
-  test_halfspace_checks();
-  test_warnings();
-  return test::report();
-}

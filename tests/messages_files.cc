@@ -2,6 +2,7 @@
 // pipes and devices in place of files, and to a start without contact, word by word.
 
 #include "messages.h"
+#include "parallel.h"
 #include "small_scene.h"
 
 #include <wheelrail/application/command_line.h>
@@ -27,8 +28,8 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
@@ -37,11 +38,10 @@ namespace
   void
   check_message(const std::function<void()> &work, const std::string &expected)
   {
-    check_text(message_of(work), expected, expected);
+    BOOST_TEST(same_text(message_of(work), expected, expected));
   }
 
-  void
-  test_damaged_files()
+  BOOST_FIXTURE_TEST_CASE(test_damaged_files, test::Parallel)
   {
     check_message([]() { read_whole_file("nowhere.json"); },
                   "The file \"nowhere.json\" cannot be read: No such file or directory.");
@@ -62,8 +62,7 @@ namespace
     fs::remove("damaged");
   }
 
-  void
-  test_places()
+  BOOST_FIXTURE_TEST_CASE(test_places, test::Parallel)
   {
     check_message([]() { Log("nowhere/log.txt"); },
                   "nowhere/log.txt: the log file cannot be written: No such file or directory");
@@ -87,8 +86,7 @@ namespace
     fs::remove_all("no_packages");
   }
 
-  void
-  test_early_stop()
+  BOOST_FIXTURE_TEST_CASE(test_early_stop, test::Parallel)
   {
     fs::create_directories("stopped");
     Summary summary;
@@ -107,8 +105,7 @@ namespace
   }
 
   // The wheel hangs above the rail: Newton's method finds no contact to begin with.
-  void
-  test_start_without_contact()
+  BOOST_FIXTURE_TEST_CASE(test_start_without_contact, test::Parallel)
   {
     const Scene scene    = test::small_scene(8e-3);
     Model       model    = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
@@ -146,8 +143,7 @@ namespace
   }
 
   /// Only ordinary files are read: nobody may ever write into a pipe, and a device may have no end.
-  void
-  test_other_than_files()
+  BOOST_FIXTURE_TEST_CASE(test_other_than_files, test::Parallel)
   {
     const std::string pipe = "a_pipe";
     fs::remove(pipe);
@@ -159,15 +155,3 @@ namespace
     fs::remove(pipe);
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test_damaged_files();
-  test_other_than_files();
-  test_places();
-  test_early_stop();
-  test_start_without_contact();
-  return test::report();
-}

@@ -18,7 +18,6 @@
 #include <sys/stat.h>
 
 using namespace wheelrail;
-using test::check;
 
 namespace
 {
@@ -26,7 +25,8 @@ namespace
   says(const std::function<void()> &work, const std::string &part)
   {
     const std::string message = test::message_of(work);
-    check(message.find(part) != std::string::npos, "\"" + part + "\" in \"" + message.substr(0, 300) + "\"");
+    BOOST_TEST((message.find(part) != std::string::npos),
+               "\"" + part + "\" in \"" + message.substr(0, 300) + "\"");
   }
 
   void
@@ -50,8 +50,7 @@ namespace
     H5Fclose(file);
   }
 
-  void
-  test_heights()
+  BOOST_AUTO_TEST_CASE(test_heights)
   {
     const auto read = [](const char *name) { return [name] { read_height_file(name); }; };
     write("empty.csv", "");
@@ -85,7 +84,7 @@ namespace
     const auto same = [](const std::string &text) {
       std::ofstream("same.csv") << text;
       const HeightGrid line = read_height_file("same.csv");
-      check(line.along.size() == 4 && std::abs(line.height[1] + 0.1229e-3) < 1e-15, text);
+      BOOST_TEST((line.along.size() == 4 && std::abs(line.height[1] + 0.1229e-3) < 1e-15), text);
     };
     for (const char *const head : {"along_mm;height_mm",
                                    "along [mm];height (mm)",
@@ -104,17 +103,17 @@ namespace
       "along [mm];height [\xB5m]\r\n0;0\r\n1;-122,9\r\n2;0\r\n3;0\r\n");
     const std::vector<double> along = {0, 10, 20, 30};
     write("sep.csv", "sep=;\r\nalong_mm;height_um\r\n0;0,0\r\n1;-0,5\r\n2;-0,5\r\n3;0\r\n");
-    check(read_height_file("sep.csv").height[1] == -0.5e-6, "a spreadsheet's word for its separator");
+    BOOST_TEST((read_height_file("sep.csv").height[1] == -0.5e-6), "a spreadsheet's word for its separator");
     write("thousands.csv", "along_mm;height_um\n0;0\n1;-950\n2;-1,012\n3;0\n");
     says(read("thousands.csv"),
          "thousands.csv:4: \"2;-1,012\" has commas between digits that may be decimal");
     write_datasets("good.h5", along, std::vector<double>(16, 0.));
     const HeightGrid square = read_height_file("good.h5");
-    check(square.height.size() == 16, "a grid in an HDF5 file");
-    check(square.notes ==
-            std::vector<std::string>{
-              "good.h5: each 4 heights of height_um are taken as those along at one place across"},
-          "how a grid is taken whose rows and columns are as many");
+    BOOST_TEST(square.height.size() == 16, "a grid in an HDF5 file");
+    BOOST_TEST((square.notes ==
+                std::vector<std::string>{
+                  "good.h5: each 4 heights of height_um are taken as those along at one place across"}),
+               "how a grid is taken whose rows and columns are as many");
     write_datasets("few.h5", along, std::vector<double>(15, 0.));
     says(read("few.h5"), "15 heights for 4 x 4 places; a row for each place across is needed");
     write_datasets("back.h5", {0, 20, 10, 30}, std::vector<double>(16, 0.));
@@ -129,7 +128,7 @@ namespace
     says(read("place.h5"), "place.h5: a place at nan mm; -1e+09 mm to 1e+09 mm is accepted there");
     write_datasets("rows.h5", {0, 10, 20, 30, 40}, std::vector<double>(20, 0.), {4, 5});
     const HeightGrid rows = read_height_file("rows.h5");
-    check(rows.height.size() == 20 && rows.notes.empty(), "a row for each place across");
+    BOOST_TEST((rows.height.size() == 20 && rows.notes.empty()), "a row for each place across");
     write_datasets("turned.h5", {0, 10, 20, 30, 40}, std::vector<double>(20, 0.), {5, 4});
     says(read("turned.h5"),
          "turned.h5: height_um has 5 rows of 4 heights for 4 places across and 5 along; a row for each "
@@ -143,8 +142,7 @@ namespace
     says(read("text.h5"), "text.h5: it is no HDF5 file, or not complete");
   }
 
-  void
-  test_slices()
+  BOOST_AUTO_TEST_CASE(test_slices)
   {
     Scene      scene;
     const auto made = [&scene](const char *file, const IrregularBody body = IrregularBody::automatic) {
@@ -203,11 +201,3 @@ namespace
     says(made("m.slcw", IrregularBody::rail), "m.slcw: slices of a wheel on the rail; change Body");
   }
 } // namespace
-
-int
-main()
-{
-  test_heights();
-  test_slices();
-  return test::report();
-}

@@ -12,9 +12,9 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check_text;
 using test::columns;
 using test::message_of;
+using test::same_text;
 using test::sampled;
 using test::sampled_head;
 
@@ -34,11 +34,10 @@ namespace
                 const std::string        &expected,
                 const std::string        &what)
   {
-    check_text(message_of([&]() { read_profile_text(text, "p.txt", how); }), expected, what);
+    BOOST_TEST(same_text(message_of([&]() { read_profile_text(text, "p.txt", how); }), expected, what));
   }
 
-  void
-  test_kinds()
+  BOOST_AUTO_TEST_CASE(test_kinds)
   {
     const auto rail = options(ProfileKind::rail), wheel = options(ProfileKind::wheel);
     check_refused(columns(sampled_head()),
@@ -77,8 +76,7 @@ namespace
   }
 
   // The messages of joining heads and treads to the rest of rail and wheel.
-  void
-  test_bodies()
+  BOOST_AUTO_TEST_CASE(test_bodies)
   {
     const auto joined_rail = [](const std::vector<Point2> &points) {
       std::vector<std::string> notes;
@@ -93,64 +91,59 @@ namespace
     for (const Point2 &p : sampled_head())
       if (p.y > -9e-3)
         points.push_back(p);
-    check_text(message_of([&]() { joined_rail(points); }),
-               "p.txt: neither side of the head reaches 14 mm below the top, where the gauge is measured; a "
-               "profile that goes deeper is needed, or Profiles/Rail origin (for half-spaces)",
-               "no side of the head");
+    BOOST_TEST(
+      same_text(message_of([&]() { joined_rail(points); }),
+                "p.txt: neither side of the head reaches 14 mm below the top, where the gauge is measured; a "
+                "profile that goes deeper is needed, or Profiles/Rail origin (for half-spaces)",
+                "no side of the head"));
     points.clear();
     for (const Point2 &p : sampled_head())
       if (p.x > 0 || p.y > -9e-3)
         points.push_back(p);
-    check_text(message_of([&]() { joined_rail(points); }),
-               "p.txt: only the field side of the head reaches 14 mm below the top, where the gauge is "
-               "measured; a profile that goes deeper on the gauge side is needed (when the sides are "
-               "exchanged, set Profiles/Rail mirror)",
-               "no gauge side");
+    BOOST_TEST(
+      same_text(message_of([&]() { joined_rail(points); }),
+                "p.txt: only the field side of the head reaches 14 mm below the top, where the gauge is "
+                "measured; a profile that goes deeper on the gauge side is needed (when the sides are "
+                "exchanged, set Profiles/Rail mirror)",
+                "no gauge side"));
     points.clear();
     for (const Point2 &p : sampled_head())
       points.push_back({0.6 * p.x, p.y});
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { joined_rail(points); }),
       "p.txt: the gauge-side end of the head, 19.8 mm below the top of 54E1, lies 28.1 mm off the "
       "side of that rail, to which it is joined (up to 20 mm); check the orientation of the file, or "
       "set Profiles/Rail body to another one",
-      "a head that is too narrow");
+      "a head that is too narrow"));
     points.clear();
     for (const Point2 &p : tread)
       if (p.x > -60e-3)
         points.push_back(p + Point2{20e-3, 0});
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { joined_wheel(points); }),
       "p.txt: the running circle cannot be found: the flange tip lies at x = -35 mm, where -63 mm "
       "to -47 mm is expected with the origin on the running circle, 14 mm to 22 mm with the origin on "
       "the flange back, and the flange back was not measured; shift the lateral coordinates so that "
       "the running circle has 0, or set Profiles/Wheel origin",
-      "no running circle");
+      "no running circle"));
     points.clear();
     for (const Point2 &p : tread)
       if (p.x < -1e-3)
         points.push_back({p.x, 1.3 * p.y});
-    check_text(message_of([&]() { joined_wheel(points); }),
-               "p.txt: the profile does not reach the running circle, 70 mm from the flange back; a tread on "
-               "both sides of it is needed",
-               "a tread that ends before the running circle");
+    BOOST_TEST(same_text(
+      message_of([&]() { joined_wheel(points); }),
+      "p.txt: the profile does not reach the running circle, 70 mm from the flange back; a tread on "
+      "both sides of it is needed",
+      "a tread that ends before the running circle"));
     points.clear();
     for (const Point2 &p : tread)
       if (p.x > -48e-3)
         points.push_back({p.x, 1.5 * p.y});
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { joined_wheel(points); }),
       "p.txt: the profile ends at x = -47.6 mm, y = -38.4 mm before the top of the flange, and an arc "
       "from there to the flange back makes no flange 20 mm to 40 mm high; more of the flange front is "
       "needed",
-      "half a flange");
+      "half a flange"));
   }
 } // namespace
-
-int
-main()
-{
-  test_kinds();
-  test_bodies();
-  return test::report();
-}

@@ -16,9 +16,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
@@ -80,7 +79,7 @@ namespace
                 const ProfileFileOptions &options = {},
                 const std::string        &file    = "r.txt")
   {
-    check_text(message_of([&]() { read_profile_text(text, file, options); }), expected, expected);
+    BOOST_TEST(same_text(message_of([&]() { read_profile_text(text, file, options); }), expected, expected));
   }
 
   ProfileFileOptions
@@ -92,11 +91,10 @@ namespace
     return options;
   }
 
-  void
-  test_files()
+  BOOST_AUTO_TEST_CASE(test_files)
   {
     const auto check_file = [](const std::string &path, const std::string &expected) {
-      check_text(message_of([&]() { read_profile_file(path, {}); }), expected, expected);
+      BOOST_TEST(same_text(message_of([&]() { read_profile_file(path, {}); }), expected, expected));
     };
     check_file(
       "nowhere.prr",
@@ -120,8 +118,7 @@ namespace
                  "profile without loops is needed: remove the points of the loop");
   }
 
-  void
-  test_formats()
+  BOOST_AUTO_TEST_CASE(test_formats)
   {
     check_profile("",
                   "r.txt: no points found; a SIMPACK (.prr, .prw), MiniProf (.ban, .whl) or two-column file "
@@ -190,8 +187,7 @@ namespace
                   "r.txt:3: units.len.f = \"many\": a number is needed");
   }
 
-  void
-  test_points()
+  BOOST_AUTO_TEST_CASE(test_points)
   {
     check_profile(head_points(0, 1, 10),
                   "r.txt: 11 different points; a profile needs at least 20, some 200 are usual");
@@ -244,11 +240,11 @@ namespace
     std::vector<Point2> kinked;
     for (int i = 0; i < 20; ++i)
       kinked.push_back({5e-4 * i, 0});
-    check_text(message_of([&]() {
-                 smoothing_spline(kinked, {8, 10}, std::vector<double>(kinked.size(), 1e-5));
-               }),
-               "between two kinks of the profile lie fewer than four points: measure denser",
-               "kinks too close");
+    BOOST_TEST(same_text(message_of([&]() {
+                           smoothing_spline(kinked, {8, 10}, std::vector<double>(kinked.size(), 1e-5));
+                         }),
+                         "between two kinks of the profile lie fewer than four points: measure denser",
+                         "kinks too close"));
     ProfileFileOptions metres;
     metres.unit = ProfileUnit::metre;
     check_profile(head_points(),
@@ -267,15 +263,15 @@ namespace
     const std::string message = message_of([&]() { read_profile_text(head_points(), "r.txt", smooth); });
     const std::string before  = "r.txt: the smoothed profile lies up to ";
     const double      length = message.rfind(before, 0) == 0 ? std::atof(message.c_str() + before.size()) : 0;
-    check(length > 1 && length < 20, "20 mm of smoothing lie more than 1 mm off the points of a head");
-    check_text(message,
-               before + format_number(length) +
-                 " mm off the points; up to 1 mm is accepted: set Profiles/Smoothing to a smaller length",
-               "a smoothed profile that misses its points");
+    BOOST_TEST((length > 1 && length < 20), "20 mm of smoothing lie more than 1 mm off the points of a head");
+    BOOST_TEST(
+      same_text(message,
+                before + format_number(length) +
+                  " mm off the points; up to 1 mm is accepted: set Profiles/Smoothing to a smaller length",
+                "a smoothed profile that misses its points"));
   }
 
-  void
-  test_shapes()
+  BOOST_AUTO_TEST_CASE(test_shapes)
   {
     std::string block;
     for (int y = -78; y <= -6; y += 6)
@@ -309,13 +305,3 @@ namespace
       wheel_options(ProfileMirror::yes));
   }
 } // namespace
-
-int
-main()
-{
-  test_files();
-  test_formats();
-  test_points();
-  test_shapes();
-  return test::report();
-}

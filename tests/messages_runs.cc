@@ -3,6 +3,7 @@
 // on all ranks.
 
 #include "messages.h"
+#include "parallel.h"
 
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/folder.h>
@@ -18,9 +19,8 @@
 #include <unistd.h>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
@@ -46,12 +46,12 @@ namespace
   void
   check_folder(const std::string &folder, const std::string &expected)
   {
-    check_text(message_of([&]() {
-                 OutputFolder(folder, FolderMode::fresh, "set Title = x\n", MPI_COMM_WORLD)
-                   .begin("set Title = x\n", false);
-               }),
-               expected,
-               expected);
+    BOOST_TEST(same_text(message_of([&]() {
+                           OutputFolder(folder, FolderMode::fresh, "set Title = x\n", MPI_COMM_WORLD)
+                             .begin("set Title = x\n", false);
+                         }),
+                         expected,
+                         expected));
   }
 
   void
@@ -78,7 +78,7 @@ namespace
       "/proc/below",
       "Output/Folder = /proc/below: the folder cannot be made: No such file or directory. Choose a "
       "place in which you may write.");
-    check(!fs::exists("runs/foreign/parameters.prm"), "and nothing was written there");
+    BOOST_TEST(!fs::exists("runs/foreign/parameters.prm"), "and nothing was written there");
     // a folder of the kernel, in which not even root can make files
     check_folder("/proc",
                  "Output/Folder = /proc: no files can be made there. The output file "
@@ -111,7 +111,7 @@ namespace
         write(lock, left);
         check_folder("runs/held", "no message");
         MPI_Barrier(MPI_COMM_WORLD); // the first rank removes the lock when its folder goes
-        check(!fs::exists(lock), "what a killed run left is taken over: " + left);
+        BOOST_TEST(!fs::exists(lock), "what a killed run left is taken over: " + left);
         MPI_Barrier(MPI_COMM_WORLD);
       }
     write(lock, holder("another", "before", 17));
@@ -120,16 +120,16 @@ namespace
       "Output/Folder = runs/held: a run on another machine works in this folder, process 17 on "
       "another, or was ended there without a word. Choose another Output/Folder, or, when it is gone, "
       "remove \"runs/held/run.lock\".");
-    check(fs::exists(lock), "another machine's lock stays");
+    BOOST_TEST(fs::exists(lock), "another machine's lock stays");
     MPI_Barrier(MPI_COMM_WORLD);
     write(lock, "");
     const OutputFolder held("runs/held", FolderMode::overwrite, "", MPI_COMM_WORLD);
     const std::string  found =
       message_of([]() { OutputFolder("runs/held", FolderMode::overwrite, "", MPI_COMM_WORLD); });
-    check_text(std::regex_replace(found, std::regex("process [0-9]+ on"), "process N on"),
-               "Output/Folder = runs/held: another run works in this folder, process N on " +
-                 std::string(host) + ". Wait for its end, or choose another Output/Folder.",
-               "a folder that is held");
+    BOOST_TEST(same_text(std::regex_replace(found, std::regex("process [0-9]+ on"), "process N on"),
+                         "Output/Folder = runs/held: another run works in this folder, process N on " +
+                           std::string(host) + ". Wait for its end, or choose another Output/Folder.",
+                         "a folder that is held"));
   }
 
   const std::string parameters =
@@ -154,7 +154,7 @@ namespace
   void
   check_state(const std::string &found, const std::string &expected)
   {
-    check_text(found, "--resume, Output/Folder = runs/saved: " + expected, expected);
+    BOOST_TEST(same_text(found, "--resume, Output/Folder = runs/saved: " + expected, expected));
   }
 
   /// A state without nodes that has rolled 10 mm on a mesh for 30 mm.
@@ -175,10 +175,10 @@ namespace
   {
     Scene driven; // by the default of an earlier version
     driven.traction_coefficient = 0.25;
-    check_text(other_entries(print_parameters(driven), print_parameters(Scene())),
-               "Wheelset/Traction coefficient = 0, saved with 0.25",
-               "a run is not gone on with another drive");
-    check_text(answer(parameters), "no message", "a state of the same entries is read");
+    BOOST_TEST(same_text(other_entries(print_parameters(driven), print_parameters(Scene())),
+                         "Wheelset/Traction coefficient = 0, saved with 0.25",
+                         "a run is not gone on with another drive"));
+    BOOST_TEST(same_text(answer(parameters), "no message", "a state of the same entries is read"));
     check_state(
       answer("set Title = y\nsubsection Run\n  set Rolling distance = 20 mm\nend\n"
              "subsection Wheelset\n  set Velocity = 100 km/h\nend\n"),
@@ -214,7 +214,7 @@ namespace
       MPI_Barrier(MPI_COMM_WORLD);
     };
     stop({"interrupted", 0.01, "", 0});
-    check_text(answer(parameters), "no message", "an interrupted run goes on");
+    BOOST_TEST(same_text(answer(parameters), "no message", "an interrupted run goes on"));
     stop({"the patch reaches the edge of the fine cells at 20.040 mm rolled",
           0.02004,
           "raise Mesh/Fine margin above 3 mm",
@@ -224,13 +224,13 @@ namespace
       "the run stopped since the patch reaches the edge of the fine cells at 20.040 mm rolled, and "
       "would stop there again: raise Mesh/Fine margin above 3 mm, and start anew with --overwrite; or "
       "end the run before that place with --set \"Run/Rolling distance = 20 mm\"");
-    check_text(answer(parameters, 0.02), "no message", "before that place it can end");
-    check_text(
+    BOOST_TEST(same_text(answer(parameters, 0.02), "no message", "before that place it can end"));
+    BOOST_TEST(same_text(
       message_of([]() { protect_saved_states("runs/saved"); }),
       "Output/Folder = runs/saved: the folder holds a run that has not finished, saved at 10.000 mm "
       "rolled (it stopped since the patch reaches the edge of the fine cells at 20.040 mm rolled). Give "
       "--overwrite to start anew, or choose another Output/Folder.",
-      "a new start over a run that stopped");
+      "a new start over a run that stopped"));
     stop({"the energy balance is off", 0.01, "take a smaller Run/Time step factor", 0.06234});
     check_state(
       answer(parameters),
@@ -238,12 +238,13 @@ namespace
       "Run/Time step factor, and start anew with --overwrite; or let it pass with --set \"Run/Energy "
       "limit = 0.063\"");
     write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD);
-    check_text(answer(parameters), "no message", "a run that has gone on since may go on again");
-    check_text(message_of([]() { protect_saved_states("runs/saved"); }),
-               "Output/Folder = runs/saved: the folder holds a run that has not finished, saved at 10.000 mm "
-               "rolled. Give --resume to go on with it, --overwrite to start anew, or choose another "
-               "Output/Folder.",
-               "a new start over an interrupted run");
+    BOOST_TEST(same_text(answer(parameters), "no message", "a run that has gone on since may go on again"));
+    BOOST_TEST(same_text(
+      message_of([]() { protect_saved_states("runs/saved"); }),
+      "Output/Folder = runs/saved: the folder holds a run that has not finished, saved at 10.000 mm "
+      "rolled. Give --resume to go on with it, --overwrite to start anew, or choose another "
+      "Output/Folder.",
+      "a new start over an interrupted run"));
     MPI_Barrier(MPI_COMM_WORLD);
   }
 
@@ -257,11 +258,12 @@ namespace
       answer(parameters),
       "the run in this folder stopped before it had saved a state, since a value is not finite; start "
       "anew without --resume");
-    check_text(message_of([]() { protect_saved_states("runs/saved"); }), "no message", "which loses nothing");
+    BOOST_TEST(same_text(
+      message_of([]() { protect_saved_states("runs/saved"); }), "no message", "which loses nothing"));
     MPI_Barrier(MPI_COMM_WORLD);
     if (rank() == 0)
       fs::remove("runs/saved/summary.json");
-    check_text(answer(parameters), "no message", "one that was killed before starts anew");
+    BOOST_TEST(same_text(answer(parameters), "no message", "one that was killed before starts anew"));
   }
 
   /// With the newest state damaged, the one before it is read, and a note says so.
@@ -278,9 +280,9 @@ namespace
     std::string notes;
     for (const std::string &note : point->notes)
       notes += note + "\n";
-    check_text(notes,
-               damaged + "; the run goes on from the state before it, checkpoint_1.h5\n",
-               "the older of two states");
+    BOOST_TEST(same_text(notes,
+                         damaged + "; the run goes on from the state before it, checkpoint_1.h5\n",
+                         "the older of two states"));
   }
 
   void
@@ -307,7 +309,7 @@ namespace
     Checkpoint long_text = small_state();
     long_text.parameters = std::string(100000, '#') + "\n" + parameters;
     write_checkpoint(long_text, "runs/saved", MPI_COMM_WORLD);
-    check_text(answer(parameters), "no message", "a state with 100 000 characters of entries");
+    BOOST_TEST(same_text(answer(parameters), "no message", "a state with 100 000 characters of entries"));
     if (rank() == 0)
       remove_checkpoints("runs/saved");
     MPI_Barrier(MPI_COMM_WORLD);
@@ -325,18 +327,17 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(messages_runs)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (rank() == 0)
+  const test::Parallel parallel;
+  if (parallel.rank == 0)
     fs::remove_all("runs");
   MPI_Barrier(MPI_COMM_WORLD);
   test_folders();
   test_locks();
   test_saved_states();
   MPI_Barrier(MPI_COMM_WORLD);
-  if (rank() == 0)
+  if (parallel.rank == 0)
     fs::remove_all("runs");
-  return test::report();
 }

@@ -16,15 +16,15 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
   void
   check_message(const std::function<void()> &work, const std::string &expected)
   {
-    check_text(message_of(work), expected, expected);
+    BOOST_TEST(same_text(message_of(work), expected, expected));
   }
 
   /// S1002 on 54E1 at a lateral shift [m].
@@ -59,8 +59,7 @@ namespace
     ContactGeometry contact;
   };
 
-  void
-  test_geometry()
+  BOOST_AUTO_TEST_CASE(test_geometry)
   {
     const Pair   pair;
     ContactFrame far;
@@ -78,8 +77,7 @@ namespace
       "at that height. Give a Track/Gauge height on the side of the head (14 mm is usual).");
   }
 
-  void
-  test_strips()
+  BOOST_AUTO_TEST_CASE(test_strips)
   {
     const Pair pair;
     check_message([&]() { pair.strip(0, 3e-3, 16e-3); },
@@ -94,8 +92,7 @@ namespace
       "of 1000 mm. Choose a lateral shift without contact on the flange face, or a smaller cell size.");
   }
 
-  void
-  test_sections()
+  BOOST_AUTO_TEST_CASE(test_sections)
   {
     const Pair pair;
     check_message(
@@ -137,8 +134,7 @@ namespace
       "check the dimensions of the section.");
   }
 
-  void
-  test_places()
+  BOOST_AUTO_TEST_CASE(test_places)
   {
     const Pair pair;
     // the middle of the tread is nowhere as steep as a wall
@@ -151,8 +147,7 @@ namespace
       "flange to its back, without steps.");
   }
 
-  void
-  test_rail_length()
+  BOOST_AUTO_TEST_CASE(test_rail_length)
   {
     Scene scene;
     scene.rail_length      = 0.15;
@@ -163,14 +158,3 @@ namespace
       "127.866 mm, the rail from -25 mm to 125 mm; take a longer rail or a shorter Run/Rolling distance");
   }
 } // namespace
-
-int
-main()
-{
-  test_geometry();
-  test_strips();
-  test_sections();
-  test_places();
-  test_rail_length();
-  return test::report();
-}

@@ -14,9 +14,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
@@ -72,9 +71,10 @@ namespace
   answers(const std::string &text, const std::string &expected)
   {
     write("faulty.slcs", text);
-    check_text(geometry({"Profiles/Rail = faulty.slcs"}, "10 mm"),
-               "Profiles/Rail: faulty.slcs" + std::string(expected[0] == ':' ? "" : ": ") + expected,
-               expected);
+    BOOST_TEST(
+      same_text(geometry({"Profiles/Rail = faulty.slcs"}, "10 mm"),
+                "Profiles/Rail: faulty.slcs" + std::string(expected[0] == ':' ? "" : ": ") + expected,
+                expected));
   }
 
   void
@@ -103,58 +103,63 @@ namespace
   test_commands()
   {
     const std::string rail = "Profiles/Rail = good.slcs";
-    check_text(
+    BOOST_TEST(same_text(
       geometry({rail}, ""),
       "Profiles/Rail = good.slcs: slices along the track are for run, compare, and --places of geometry and "
       "halfspace; give a rail of one section",
-      "slices without --places");
-    check_text(geometry({}, "10 mm"),
-               "Profiles/Rail = 54E1: slices are needed, a file that ends in .slcs",
-               "a plain rail with --places");
-    check_text(geometry({"Profiles/Rail = wheel.slcw"}, "10 mm"),
-               "Profiles/Rail: wheel.slcw: slices of a wheel; a rail has them in a file that ends in .slcs",
-               "slices of a wheel");
-    check_text(
+      "slices without --places"));
+    BOOST_TEST(same_text(geometry({}, "10 mm"),
+                         "Profiles/Rail = 54E1: slices are needed, a file that ends in .slcs",
+                         "a plain rail with --places"));
+    BOOST_TEST(
+      same_text(geometry({"Profiles/Rail = wheel.slcw"}, "10 mm"),
+                "Profiles/Rail: wheel.slcw: slices of a wheel; a rail has them in a file that ends in .slcs",
+                "slices of a wheel"));
+    BOOST_TEST(same_text(
       geometry({rail, "Irregularity 1/Kind = dent"}, "10 mm"),
       "Profiles/Rail = good.slcs: rails by slices have no irregularities: leave the subsections Irregularity "
       "out",
-      "irregularities");
-    check_text(geometry({rail, "Wheelset/Roll = from contact"}, "10 mm"),
-               "Wheelset/Roll = from contact: the rail of the other wheel is not known beside rails by "
-               "slices; give an "
-               "angle or none",
-               "roll from contact");
-    check_text(
+      "irregularities"));
+    BOOST_TEST(
+      same_text(geometry({rail, "Wheelset/Roll = from contact"}, "10 mm"),
+                "Wheelset/Roll = from contact: the rail of the other wheel is not known beside rails by "
+                "slices; give an "
+                "angle or none",
+                "roll from contact"));
+    BOOST_TEST(same_text(
       geometry({rail}, "90 mm"),
       "--places \"90 mm\": the wheel at 90 mm along the rail does not stand on the slices, which reach from "
       "0 mm to 80 mm; Profiles/Rail place is 0 mm",
-      "a place beyond the slices");
-    check_text(geometry({"Profiles/Rail = aside.slcs"}, "40 mm"),
-               "wheel and rails by slices do not lie over each other: at this place and lateral shift no "
-               "part of a rail "
-               "is below the running surface of the wheel",
-               "a rail beside the wheel");
+      "a place beyond the slices"));
+    BOOST_TEST(
+      same_text(geometry({"Profiles/Rail = aside.slcs"}, "40 mm"),
+                "wheel and rails by slices do not lie over each other: at this place and lateral shift no "
+                "part of a rail "
+                "is below the running surface of the wheel",
+                "a rail beside the wheel"));
     const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
     std::ostringstream out;
-    check_text(message_of([&]() {
-                 execute({"halfspace", "slices.prm"}, run, out);
-               }),
-               "slices.prm:2: Profiles/Rail = good.slcs: of slices along the track halfspace takes one wheel "
-               "at places: "
-               "give --places "
-               "\"0:600:20 mm\"",
-               "halfspace without --places");
+    BOOST_TEST(same_text(
+      message_of([&]() {
+        execute({"halfspace", "slices.prm"}, run, out);
+      }),
+      "slices.prm:2: Profiles/Rail = good.slcs: of slices along the track halfspace takes one wheel "
+      "at places: "
+      "give --places "
+      "\"0:600:20 mm\"",
+      "halfspace without --places"));
     const auto validated = [&](const std::vector<std::string> &sets) {
       std::vector<std::string> words{"run", "plain.prm", "--validate"};
       for (const std::string &set : sets)
         words.insert(words.end(), {"--set", set});
       return message_of([&]() { execute(words, run, out); });
     };
-    check_text(validated({"Profiles/Second rail = good.slcs"}),
-               "--set: Profiles/Second rail = good.slcs: a second rail stands beside one by slices (.slcs); "
-               "Profiles/Rail is 54E1",
-               "a second rail beside a plain one");
-    check_text(
+    BOOST_TEST(
+      same_text(validated({"Profiles/Second rail = good.slcs"}),
+                "--set: Profiles/Second rail = good.slcs: a second rail stands beside one by slices (.slcs); "
+                "Profiles/Rail is 54E1",
+                "a second rail beside a plain one"));
+    BOOST_TEST(same_text(
       validated({"Profiles/Rail = before.slcs",
                  "Profiles/Rail unit = mm",
                  "Mesh/Solution cell size = 2 mm",
@@ -162,23 +167,24 @@ namespace
                  "Profiles/Rail place = -100 mm"}),
       "--set: Profiles/Second rail = thin.slcs: its head is thinner than three cells, 6 mm, all along "
       "the path, or is not there; take a smaller Mesh/Solution cell size",
-      "a nose thinner than three cells");
-    check_text(validated({rail, "Profiles/Rail place = 50 mm", "Run/Rolling distance = 40 mm"}),
-               "--set: Profiles/Rail place: the path from 50 mm to 90 mm along the rail leaves the slices, "
-               "which reach from 0 mm to 80 mm; begin it elsewhere, or roll a shorter Run/Rolling "
-               "distance",
-               "a path that leaves the slices");
+      "a nose thinner than three cells"));
+    BOOST_TEST(
+      same_text(validated({rail, "Profiles/Rail place = 50 mm", "Run/Rolling distance = 40 mm"}),
+                "--set: Profiles/Rail place: the path from 50 mm to 90 mm along the rail leaves the slices, "
+                "which reach from 0 mm to 80 mm; begin it elsewhere, or roll a shorter Run/Rolling "
+                "distance",
+                "a path that leaves the slices"));
     const std::string second = "Profiles/Second rail = behind.slcs", before = "Profiles/Rail = before.slcs",
                       place = "Profiles/Rail place = -24 mm";
-    check_text(
+    BOOST_TEST(same_text(
       validated({before, second, place, "Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 4 mm"}),
       "--set: Profiles/Second rail = behind.slcs: the gap of 2 mm in front of it is narrower than a "
       "cell; take Mesh/Solution cell size = 0.5 mm",
-      "a gap narrower than a cell");
+      "a gap narrower than a cell"));
     const auto noted = [&](const std::vector<std::string> &sets, const std::string &note) {
       out.str("");
-      check_text(validated(sets), "no message", note);
-      check(out.str().find(note) != std::string::npos, "is said: " + note);
+      BOOST_TEST(same_text(validated(sets), "no message", note));
+      BOOST_TEST((out.str().find(note) != std::string::npos), "is said: " + note);
     };
     noted({before, second, place},
           "Profiles/Second rail = behind.slcs: the gap of 2 mm in front of it is fewer than four cells wide: "
@@ -200,37 +206,38 @@ namespace
     noted(
       {"Profiles/Rail = before.slcs", "Profiles/Second rail = guard.slcs", "Profiles/Rail place = -150 mm"},
       "Profiles/Second rail = guard.slcs: the wheel comes nowhere near it on the path");
-    check_text(validated({"Profiles/Rail = before.slcs",
-                          "Profiles/Second rail = hanging.slcs",
-                          "Profiles/Rail place = -150 mm"}),
-               "--set: Profiles/Second rail: hanging.slcs: the highest point of all slices is one of their "
-               "ends: z points "
-               "down; set Profiles/Rail upside down = yes for slices whose z points up",
-               "a rail upside down");
-    check_text(
+    BOOST_TEST(
+      same_text(validated({"Profiles/Rail = before.slcs",
+                           "Profiles/Second rail = hanging.slcs",
+                           "Profiles/Rail place = -150 mm"}),
+                "--set: Profiles/Second rail: hanging.slcs: the highest point of all slices is one of their "
+                "ends: z points "
+                "down; set Profiles/Rail upside down = yes for slices whose z points up",
+                "a rail upside down"));
+    BOOST_TEST(same_text(
       validated(
         {"Profiles/Rail = before.slcs", "Profiles/Second rail = gone.slcs", "Profiles/Rail place = -150 mm"}),
       "--set: Profiles/Second rail: gone.slcs:5: The file \"gone.txt\" cannot be read: No such file or "
       "directory.",
-      "a slice of the second rail that is not there");
+      "a slice of the second rail that is not there"));
     const std::string filled =
       "the section of the mesh is what both rails have where the path begins, filled up to 0.6 mm below the "
       "wheel; the body is 54E1 widened in its middle by ";
-    check(out.str().find(filled) != std::string::npos, "is said of these rails, too: " + filled);
-    check_text(validated({"Profiles/Rail = sinking.slcs"}), "no message", "a start on a slope");
+    BOOST_TEST((out.str().find(filled) != std::string::npos), "is said of these rails, too: " + filled);
+    BOOST_TEST(same_text(validated({"Profiles/Rail = sinking.slcs"}), "no message", "a start on a slope"));
     const std::string sections = WHEELRAIL_SOURCE_DIR "/prm/sections/";
     const std::string size =
       " wide, and those of rails are 3 mm to 400 mm; set Profiles/Rail unit to that of its "
       "files, mm, m or inch";
-    check_text(validated({"Profiles/Rail = before.slcs", "Profiles/Rail unit = m"}),
-               "--set: Profiles/Rail: before.slcs: its widest slice is 70578.548 mm" + size,
-               "millimetres taken for metres");
-    check_text(validated({"Profiles/Rail = before.slcs",
-                          "Profiles/Second rail = metres.slcs",
-                          "Profiles/Rail unit = mm",
-                          "Profiles/Rail place = -150 mm"}),
-               "--set: Profiles/Second rail: metres.slcs: its widest slice is 0.071 mm" + size,
-               "metres taken for millimetres");
+    BOOST_TEST(same_text(validated({"Profiles/Rail = before.slcs", "Profiles/Rail unit = m"}),
+                         "--set: Profiles/Rail: before.slcs: its widest slice is 70578.548 mm" + size,
+                         "millimetres taken for metres"));
+    BOOST_TEST(same_text(validated({"Profiles/Rail = before.slcs",
+                                    "Profiles/Second rail = metres.slcs",
+                                    "Profiles/Rail unit = mm",
+                                    "Profiles/Rail place = -150 mm"}),
+                         "--set: Profiles/Second rail: metres.slcs: its widest slice is 0.071 mm" + size,
+                         "metres taken for millimetres"));
     const auto runs_into = [&](const std::string &place, const std::string &rail) {
       return "--set: Profiles/Rail: at " + place + " along the rails the flange runs into Profiles/" + rail +
              "; y of all slices should point to the field side (Profiles/Rail mirror); else move the wheel "
@@ -238,66 +245,67 @@ namespace
              "Wheelset/Lateral shift, or roll a shorter Run/Rolling distance";
     };
     for (const std::string inclination : {"0", "1:40"})
-      check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
-                            "Profiles/Second rail = " + sections + "nose.slcs",
-                            "Profiles/Rail place = 360 mm",
-                            "Profiles/Rail mirror = yes",
-                            "Track/Rail inclination = " + inclination,
-                            "Mesh/Solution cell size = 2 mm",
-                            "Run/Rolling distance = 200 mm"}),
-                 runs_into("360 mm", "Rail = " + sections + "wing.slcs"),
-                 "both rails mirrored");
-    check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
-                          "Profiles/Second rail = " + sections + "nose.slcs",
-                          "Profiles/Rail place = 360 mm",
-                          "Wheelset/Lateral shift = 5 mm",
-                          "Track/Rail inclination = 0",
-                          "Mesh/Solution cell size = 2 mm",
-                          "Run/Rolling distance = 120 mm"}),
-               "no message",
-               "a shift on a crossing, whose other wheel stands on a plain rail");
-    check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
-                          "Profiles/Second rail = " + sections + "nose.slcs",
-                          "Profiles/Rail place = 360 mm",
-                          "Wheelset/Lateral shift = -5 mm",
-                          "Track/Rail inclination = 0",
-                          "Mesh/Solution cell size = 2 mm",
-                          "Run/Rolling distance = 120 mm"}),
-               runs_into("380 mm", "Second rail = " + sections + "nose.slcs"),
-               "a shift towards the nose");
-    check_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
-                          "Profiles/Second rail = " + sections + "nose.slcs",
-                          "Profiles/Rail place = 600 mm",
-                          "Track/Rail inclination = 0",
-                          "Mesh/Solution cell size = 2 mm",
-                          "Run/Rolling distance = 120 mm"}),
-               "--set: Profiles/Rail: at 690 mm along the rails the wheel stands on its field-side edge, "
-               "54.25 mm beside the middle of the section, beyond the fine cells; end the path before, by a "
-               "shorter Run/Rolling distance",
-               "a path behind the end of the nose");
-    check_text(
+      BOOST_TEST(same_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
+                                      "Profiles/Second rail = " + sections + "nose.slcs",
+                                      "Profiles/Rail place = 360 mm",
+                                      "Profiles/Rail mirror = yes",
+                                      "Track/Rail inclination = " + inclination,
+                                      "Mesh/Solution cell size = 2 mm",
+                                      "Run/Rolling distance = 200 mm"}),
+                           runs_into("360 mm", "Rail = " + sections + "wing.slcs"),
+                           "both rails mirrored"));
+    BOOST_TEST(same_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
+                                    "Profiles/Second rail = " + sections + "nose.slcs",
+                                    "Profiles/Rail place = 360 mm",
+                                    "Wheelset/Lateral shift = 5 mm",
+                                    "Track/Rail inclination = 0",
+                                    "Mesh/Solution cell size = 2 mm",
+                                    "Run/Rolling distance = 120 mm"}),
+                         "no message",
+                         "a shift on a crossing, whose other wheel stands on a plain rail"));
+    BOOST_TEST(same_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
+                                    "Profiles/Second rail = " + sections + "nose.slcs",
+                                    "Profiles/Rail place = 360 mm",
+                                    "Wheelset/Lateral shift = -5 mm",
+                                    "Track/Rail inclination = 0",
+                                    "Mesh/Solution cell size = 2 mm",
+                                    "Run/Rolling distance = 120 mm"}),
+                         runs_into("380 mm", "Second rail = " + sections + "nose.slcs"),
+                         "a shift towards the nose"));
+    BOOST_TEST(
+      same_text(validated({"Profiles/Rail = " + sections + "wing.slcs",
+                           "Profiles/Second rail = " + sections + "nose.slcs",
+                           "Profiles/Rail place = 600 mm",
+                           "Track/Rail inclination = 0",
+                           "Mesh/Solution cell size = 2 mm",
+                           "Run/Rolling distance = 120 mm"}),
+                "--set: Profiles/Rail: at 690 mm along the rails the wheel stands on its field-side edge, "
+                "54.25 mm beside the middle of the section, beyond the fine cells; end the path before, by a "
+                "shorter Run/Rolling distance",
+                "a path behind the end of the nose"));
+    BOOST_TEST(same_text(
       validated({"Profiles/Rail = deep.slcs"}),
       "--set: Profiles/Rail = deep.slcs: between -100 mm and 160 mm its sections do not lie over each other "
       "5 mm on both sides of the contact, or are more than 12 mm apart: such a rail is for --places "
       "of geometry and halfspace",
-      "sections far apart");
+      "sections far apart"));
     std::string printed;
-    check_text(geometry({"Profiles/Rail = jump.slcs"}, "90 mm", &printed), "no message", "away from a jump");
+    BOOST_TEST(same_text(
+      geometry({"Profiles/Rail = jump.slcs"}, "90 mm", &printed), "no message", "away from a jump"));
     const std::string warning =
       "warning: jump.slcs: the arc length jumps from 80.002 mm to 120.002 mm between slices 2 "
       "and 3: no surface lies between them\n";
-    check(printed.find(warning) != std::string::npos, warning);
-    check_text(
+    BOOST_TEST((printed.find(warning) != std::string::npos), warning);
+    BOOST_TEST(same_text(
       geometry({"Profiles/Rail = jump.slcs"}, "30 mm"),
       "jump.slcs: the place 30 mm lies between slices 2 and 3, where the arc length jumps from 80.002 mm to "
       "120.002 mm; features have to tell which part begins there",
-      "at a jump");
+      "at a jump"));
   }
 } // namespace
 
 
-int
-main()
+BOOST_AUTO_TEST_CASE(messages_slices)
 {
   write_section("even.txt", 5);
   write_section("mirrored.txt", 5, 0, -1);
@@ -371,5 +379,4 @@ main()
           "U_INTPOL = 2 (an approximating spline) with parts that begin or end");
   test_features(even);
   test_commands();
-  return test::report();
 }

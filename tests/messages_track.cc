@@ -12,17 +12,17 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check_near;
-using test::check_text;
 using test::message_of;
+using test::near;
+using test::same_text;
 
 namespace
 {
   void
   check_sets(const std::vector<std::string> &sets, const std::string &expected)
   {
-    check_text(
-      message_of([&]() { require_computable(scene_from_text("", "x.prm", sets)); }), expected, sets.back());
+    BOOST_TEST(same_text(
+      message_of([&]() { require_computable(scene_from_text("", "x.prm", sets)); }), expected, sets.back()));
   }
 
   std::string
@@ -34,24 +34,25 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(messages_track)
 {
-  check_text(warning({"Track/Pad stiffness = 100 MN/m"}),
-             "Track/Pad stiffness = 100 MN/m: without effect, since Track/Support = clamped foot",
-             "pads below a clamped foot");
-  check_text(warning({"Track/Sleeper spacing = 700 mm"}),
-             "Track/Sleeper spacing = 700 mm: without effect, since Track/Support = clamped foot",
-             "sleepers below it");
-  check_text(warning({"Track/Support = continuous pads", "Track/Sleeper mass = 200 kg"}),
-             "Track/Sleeper mass = 200 kg: without effect, since Track/Support = continuous pads rests on "
-             "rigid ground",
-             "sleepers below continuous pads");
-  check_text(
+  BOOST_TEST(same_text(warning({"Track/Pad stiffness = 100 MN/m"}),
+                       "Track/Pad stiffness = 100 MN/m: without effect, since Track/Support = clamped foot",
+                       "pads below a clamped foot"));
+  BOOST_TEST(same_text(warning({"Track/Sleeper spacing = 700 mm"}),
+                       "Track/Sleeper spacing = 700 mm: without effect, since Track/Support = clamped foot",
+                       "sleepers below it"));
+  BOOST_TEST(
+    same_text(warning({"Track/Support = continuous pads", "Track/Sleeper mass = 200 kg"}),
+              "Track/Sleeper mass = 200 kg: without effect, since Track/Support = continuous pads rests on "
+              "rigid ground",
+              "sleepers below continuous pads"));
+  BOOST_TEST(same_text(
     warning({"Track/Support = continuous pads", "Track/Pad stiffness = 0.3 MN/m"}),
     "Track/Pad stiffness = 0.3 MN/m: soft with what lies below; under 100 kN the rail sinks by about "
     "39 mm, where a usual track sinks by 1 mm or 2",
-    "very soft pads");
+    "very soft pads"));
   const std::string sleepers = "Track/Support = sleepers", rail = "Track/Rail length = 5 m";
   check_sets(
     {"Track/Support = ballast"},
@@ -76,15 +77,15 @@ main()
     {"Track/Damped ends = 1 m"},
     "--set: Track/Damped ends = 1 m: two of them and the rolled stretch of 60 mm are longer than Track/Rail "
     "length = 1.8 m; take shorter ones or a longer rail");
-  check_text(warning({sleepers}),
-             "Track/Rail length = 1.8 m: short for this support, on which a rail bends over some 0.74 m to "
-             "either side "
-             "of the wheel; its free ends make it sink and tilt more than a long one: take 3.1 m",
-             "a short rail");
-  check_text(warning({sleepers, rail}), "none", "a long one");
+  BOOST_TEST(
+    same_text(warning({sleepers}),
+              "Track/Rail length = 1.8 m: short for this support, on which a rail bends over some 0.74 m to "
+              "either side "
+              "of the wheel; its free ends make it sink and tilt more than a long one: take 3.1 m",
+              "a short rail"));
+  BOOST_TEST(same_text(warning({sleepers, rail}), "none", "a long one"));
   SupportData support;
   support.kind          = RailSupport::continuous_pads;
   support.pad_stiffness = 30e6;
-  check_near(rail_bending(support).deflection, 1.22e-8, 0.01e-8, "Winkler's deflection [m/N]");
-  return test::report();
+  BOOST_TEST(near(rail_bending(support).deflection, 1.22e-8, 0.01e-8, "Winkler's deflection [m/N]"));
 }

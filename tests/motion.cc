@@ -8,8 +8,8 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_motion.h>
 
-#include "check.h"
 #include "messages.h"
+#include "near.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,8 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
+using test::near;
+using test::same_text;
 
 namespace
 {
@@ -40,19 +39,20 @@ namespace
   test_curve()
   {
     const SmoothCurve curve({0, 1, 3, 4, 6}, {2, 2, 0, 0, 1});
-    check_near(curve.at(0.5), 2, 1e-15, "level where neighbours are level");
-    check_near(curve.at(3), 0, 1e-15, "through its points");
+    BOOST_TEST(near(curve.at(0.5), 2, 1e-15, "level where neighbours are level"));
+    BOOST_TEST(near(curve.at(3), 0, 1e-15, "through its points"));
     double least = 1;
     for (int k = 0; k <= 600; ++k)
       least = std::min(least, curve.at(0.01 * k));
-    check_near(least, 0, 1e-15, "never below the least value");
+    BOOST_TEST(near(least, 0, 1e-15, "never below the least value"));
     for (const double x : {1., 3., 4.})
-      check_near(curve.slope(x - 1e-9), curve.slope(x + 1e-9), 1e-6, "a continuous slope");
-    check_near((curve.at(2.001) - curve.at(1.999)) / 0.002, curve.slope(2), 1e-5, "the slope of its values");
-    check_near(curve.at(7), 1, 0, "the last value beyond the end");
-    check_near(curve.slope(7), 0, 0, "and no slope there");
-    check_near(SmoothCurve({0, 2}, {1, 2}).at(0.5), 1.25, 1e-15, "a line through two points");
-    check_near(curve.mirrored().at(5), -curve.at(5), 1e-15, "mirrored");
+      BOOST_TEST(near(curve.slope(x - 1e-9), curve.slope(x + 1e-9), 1e-6, "a continuous slope"));
+    BOOST_TEST(
+      near((curve.at(2.001) - curve.at(1.999)) / 0.002, curve.slope(2), 1e-5, "the slope of its values"));
+    BOOST_TEST(near(curve.at(7), 1, 0, "the last value beyond the end"));
+    BOOST_TEST(near(curve.slope(7), 0, 0, "and no slope there"));
+    BOOST_TEST(near(SmoothCurve({0, 2}, {1, 2}).at(0.5), 1.25, 1e-15, "a line through two points"));
+    BOOST_TEST(near(curve.mirrored().at(5), -curve.at(5), 1e-15, "mirrored"));
   }
 
   /// The way that is led against the pose that rigid contact finds at each place.
@@ -68,7 +68,7 @@ namespace
     const SceneGeometry geometry = make_geometry(start);
     const auto          samples  = sample_path(start, geometry);
     const GuidedPath    way      = make_path(start, samples, 1);
-    check(samples.size() > 10, "samples");
+    BOOST_TEST(samples.size() > 10, "samples");
     const WheelPose &first = geometry.contact.pose;
     for (const PathSample &sample : samples)
       {
@@ -76,23 +76,25 @@ namespace
         const RigidMotion lead   = way.lead(sample.rolled);
         const Vector3     middle = {0, 0, sample.geometry.contact.along - geometry.contact.along};
         const Vector3     moved  = pose.centre() + middle - first.centre() - lead.move;
-        check_near(norm(pose.axis() - lead.turned(first.axis())), 0, 1e-12, "direction of the axle");
-        check_near(std::hypot(moved[0], moved[2]), 0, 1e-9, "centre of the wheel [m]");
-        check_near(way.contact_along.at(sample.rolled), sample.geometry.contact.along, 1e-12, "contact");
-        check_near(way.load.at(sample.rolled), sample.scene.wheel_load, 1e-9, "load [N]");
+        BOOST_TEST(near(norm(pose.axis() - lead.turned(first.axis())), 0, 1e-12, "direction of the axle"));
+        BOOST_TEST(near(std::hypot(moved[0], moved[2]), 0, 1e-9, "centre of the wheel [m]"));
+        BOOST_TEST(
+          near(way.contact_along.at(sample.rolled), sample.geometry.contact.along, 1e-12, "contact"));
+        BOOST_TEST(near(way.load.at(sample.rolled), sample.scene.wheel_load, 1e-9, "load [N]"));
         const double           h    = 1e-6;
         const GuidedPath::Rate rate = way.rate(sample.rolled);
         const RigidMotion      next = way.lead(sample.rolled + h), last = way.lead(sample.rolled - h);
         const Vector3          arm = {0.1, 0.2, 0.3};
         const Vector3 there = (0.5 / h) * (next.turned(arm) + next.move - last.turned(arm) - last.move);
         if (sample.rolled > h)
-          check_near(norm(there - rate.centre - cross(rate.spin, lead.turned(arm))), 0, 1e-5, "velocity");
+          BOOST_TEST(
+            near(norm(there - rate.centre - cross(rate.spin, lead.turned(arm))), 0, 1e-5, "velocity"));
       }
     SweepSizes sizes;
     sizes.approach = 1e-4;
     plan_for_path(geometry, samples, sizes);
-    check(sizes.across.s1 - sizes.across.s0 > 15e-3, "the patches lie beside each other");
-    check(sizes.ahead.s1 - sizes.ahead.s0 > 7e-3, "the contact goes ahead with the yaw");
+    BOOST_TEST(sizes.across.s1 - sizes.across.s0 > 15e-3, "the patches lie beside each other");
+    BOOST_TEST(sizes.ahead.s1 - sizes.ahead.s0 > 7e-3, "the contact goes ahead with the yaw");
   }
 
   void
@@ -102,28 +104,28 @@ namespace
       "time [s],velocity [m/s],creepage [%],lateral creepage [%]\n"
       "0,10,0.1,0\n0.01,20,0.1,0.2\n0.02,20,0.3,0.2\n");
     const SceneMotion motion(scene);
-    check_near(motion.at(0.15).velocity, 20, 1e-12, "150 mm are covered in 10 ms at 15 m/s");
-    check_near(motion.at(0.35).creepage, 0.003, 1e-12, "and 350 mm in 20 ms");
-    check(motion.at(0.1).drive == Drive::rate, "a creepage holds the rate");
-    check_near(motion.at(0.35).lateral_shift, 0.15 * 0.001 + 0.2 * 0.002, 1e-9, "drifted aside [m]");
+    BOOST_TEST(near(motion.at(0.15).velocity, 20, 1e-12, "150 mm are covered in 10 ms at 15 m/s"));
+    BOOST_TEST(near(motion.at(0.35).creepage, 0.003, 1e-12, "and 350 mm in 20 ms"));
+    BOOST_TEST((motion.at(0.1).drive == Drive::rate), "a creepage holds the rate");
+    BOOST_TEST(near(motion.at(0.35).lateral_shift, 0.15 * 0.001 + 0.2 * 0.002, 1e-9, "drifted aside [m]"));
     double    time  = 0;
     const int parts = 20000;
     for (int k = 0; k < parts; ++k)
       time += 0.3 / parts / motion.at(0.3 * (k + 0.5) / parts).velocity;
-    check_near(motion.duration(0.3) / time, 1, 1e-6, "time of the way");
+    BOOST_TEST(near(motion.duration(0.3) / time, 1, 1e-6, "time of the way"));
   }
 
   void
   refused(const Scene &scene, const std::string &expected)
   {
-    test::check_text(test::message_of([&]() { SceneMotion motion(scene); }), expected, expected);
+    BOOST_TEST(test::same_text(test::message_of([&]() { SceneMotion motion(scene); }), expected, expected));
   }
 
   void
   refused_from(const Scene &scene, const std::string &begin)
   {
     const std::string message = test::message_of([&]() { SceneMotion motion(scene); });
-    check(message.rfind(begin, 0) == 0, begin + "...: " + message);
+    BOOST_TEST(message.rfind(begin, 0) == 0, begin + "...: " + message);
   }
 
   void
@@ -177,12 +179,12 @@ namespace
                  entry +
                    ": from row 2 to row 3, over 1 mm of distance, the yaw changes with an acceleration of ");
     // beyond the path of the run rows may say what they like; within it, what wheelsets do
-    check_text(test::message_of([]() {
-                 SceneMotion motion(
-                   scene_with("distance [mm],lateral shift [mm]\n0,0\n60,1\n150,1\n150.001,2\n"));
-               }),
-               "no message",
-               "1 mm over 60 mm, and a jump after the end of the run");
+    BOOST_TEST(same_text(test::message_of([]() {
+                           SceneMotion motion(
+                             scene_with("distance [mm],lateral shift [mm]\n0,0\n60,1\n150,1\n150.001,2\n"));
+                         }),
+                         "no message",
+                         "1 mm over 60 mm, and a jump after the end of the run"));
     refused(scene_with("time [s],distance [m],yaw [mrad]\n0,0,0\n0.1,2,1\n0.2,4,2\n"),
             entry +
               ": from row 1 to row 3 time and distance say 72 km/h, which differs from "
@@ -194,19 +196,18 @@ namespace
     const Scene far =
       scene_at_start(scene_with("distance [m],lateral shift [mm],yaw [mrad]\n0,0,0\n0.1,-11.9,50\n"));
     const std::string message = test::message_of([&]() { sample_path(far, make_geometry(far)); });
-    check(message.rfind(entry + ", ", 0) == 0 &&
-            message.find(" rolled: Wheel 'S1002' and rail '54E1' have no ") != std::string::npos,
-          "where wheel and rail do not touch: " + message);
+    BOOST_TEST((message.rfind(entry + ", ", 0) == 0 &&
+                message.find(" rolled: Wheel 'S1002' and rail '54E1' have no ") != std::string::npos),
+               "where wheel and rail do not touch: " + message);
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(motion)
 {
   test_curve();
   test_pose(false);
   test_pose(true);
   test_over_time();
   test_messages();
-  return test::report();
 }

@@ -41,8 +41,7 @@ namespace
     return most;
   }
 
-  void
-  constant_rows()
+  BOOST_FIXTURE_TEST_CASE(constant_rows, test::Parallel)
   {
     Scene plain         = yaw_scene("plain");
     plain.lateral_shift = 0.3e-3;
@@ -57,16 +56,16 @@ namespace
     const History a = read_history(plain.folder + "/history.h5"),
                   b = read_history(led.folder + "/history.h5");
     for (const char *const force : {"vertical_force", "longitudinal_force", "lateral_force"})
-      check_near(largest_difference(a, b, force), 0, 5, std::string("constant rows: ") + force + " [N]");
-    check_near(largest_difference(a, b, "creepage"), 0, 1e-8, "constant rows: creepage");
-    check_near(largest_difference(a, b, "energy_residual"), 0, 1e-4, "constant rows: energies [J]");
+      BOOST_TEST(
+        near(largest_difference(a, b, force), 0, 5, std::string("constant rows: ") + force + " [N]"));
+    BOOST_TEST(near(largest_difference(a, b, "creepage"), 0, 1e-8, "constant rows: creepage"));
+    BOOST_TEST(near(largest_difference(a, b, "energy_residual"), 0, 1e-4, "constant rows: energies [J]"));
   }
 
   /// A wheelset that is moved aside and unloaded slowly presses in the end as one that always stood there.
   /// Slowly: in several periods of its bending to the side, which a stout disc makes short. Without
   /// friction, which would hold it back for metres.
-  void
-  slow_shift()
+  BOOST_FIXTURE_TEST_CASE(slow_shift, test::Parallel)
   {
     Scene base                = yaw_scene("shifted");
     base.cell_size            = 3e-3;
@@ -82,7 +81,7 @@ namespace
                                 "slow_shift",
                                 "distance [mm],lateral shift [mm],load [kN]\n"
                                           "0,0,100\n5,0,100\n45,0.5,90\n80,0.5,90\n100,0.5,90\n");
-    check(run(led, false) == 0, led.title + ": the run ends");
+    BOOST_TEST(run(led, false) == 0, led.title + ": the run ends");
     const Summary moved    = read_summary(led.folder + "/summary.json");
     Scene         there    = base;
     there.lateral_shift    = 0.5e-3;
@@ -94,26 +93,28 @@ namespace
     const History history  = read_history(led.folder + "/history.h5");
     const auto   &residual = column(history, "energy_residual"),
                &scheme     = column(history, "contact_scheme_energy");
-    check_near((residual.back() - scheme.back()) / column(history, "strain_energy").back(),
-               0,
-               1e-3,
-               "energy missed but for that of discrete contact, over the strain energy");
-    check(std::abs(column(history, "speed_hold_work").back()) > 0.5,
-          "the wheelset is moved against the contact");
-    check_near(moved.vertical_force / stood.vertical_force, 1, 5e-3, "vertical force");
-    check_near((moved.lateral_force - stood.lateral_force) / stood.vertical_force, 0, 2e-3, "lateral force");
-    check_near(moved.max_pressure / stood.max_pressure, 1, 0.12, "peak pressure, of nodes at other places");
-    check_near(moved.contact_area / stood.contact_area, 1, 0.03, "area");
-    check_near(get_figure(moved, "lateral_shift_m"), 0.5e-3, 1e-12, "shift of the means [m]");
-    check_near((get_figure(moved, "relative_lateral_m") - get_figure(stood, "relative_lateral_m")) / 1e-3,
-               0,
-               0.02,
-               "pose against the led wheelset [mm]");
+    BOOST_TEST(near((residual.back() - scheme.back()) / column(history, "strain_energy").back(),
+                    0,
+                    1e-3,
+                    "energy missed but for that of discrete contact, over the strain energy"));
+    BOOST_TEST(std::abs(column(history, "speed_hold_work").back()) > 0.5,
+               "the wheelset is moved against the contact");
+    BOOST_TEST(near(moved.vertical_force / stood.vertical_force, 1, 5e-3, "vertical force"));
+    BOOST_TEST(
+      near((moved.lateral_force - stood.lateral_force) / stood.vertical_force, 0, 2e-3, "lateral force"));
+    BOOST_TEST(
+      near(moved.max_pressure / stood.max_pressure, 1, 0.12, "peak pressure, of nodes at other places"));
+    BOOST_TEST(near(moved.contact_area / stood.contact_area, 1, 0.03, "area"));
+    BOOST_TEST(near(get_figure(moved, "lateral_shift_m"), 0.5e-3, 1e-12, "shift of the means [m]"));
+    BOOST_TEST(
+      near((get_figure(moved, "relative_lateral_m") - get_figure(stood, "relative_lateral_m")) / 1e-3,
+           0,
+           0.02,
+           "pose against the led wheelset [mm]"));
   }
 
   /// All columns, in one go, and stopped before and after the mesh has changed.
-  void
-  going_on()
+  BOOST_FIXTURE_TEST_CASE(going_on, test::Parallel)
   {
     Scene base            = yaw_scene("all");
     base.rolling_distance = 18e-3;
@@ -124,16 +125,15 @@ namespace
     Scene       whole             = parts;
     whole.folder                  = "motion_one_go";
     const auto [summary, history] = stopped_twice(parts, whole);
-    check_near(column(history, "rolled_distance").back() / 18e-3, 1, 1e-6, "way rolled");
+    BOOST_TEST(near(column(history, "rolled_distance").back() / 18e-3, 1, 1e-6, "way rolled"));
     const SceneMotion motion(parts);
-    check_near(column(history, "time").back() / motion.duration(18e-3), 1, 1e-9, "its time");
-    check_near(column(history, "yaw").back(), motion.at(18e-3).yaw, 1e-9, "yaw at the end [rad]");
-    check_near(
-      column(history, "wheel_load").back() / motion.at(18e-3).wheel_load, 1, 1e-5, "load at the end");
+    BOOST_TEST(near(column(history, "time").back() / motion.duration(18e-3), 1, 1e-9, "its time"));
+    BOOST_TEST(near(column(history, "yaw").back(), motion.at(18e-3).yaw, 1e-9, "yaw at the end [rad]"));
+    BOOST_TEST(
+      near(column(history, "wheel_load").back() / motion.at(18e-3).wheel_load, 1, 1e-5, "load at the end"));
   }
 
-  void
-  without_load()
+  BOOST_FIXTURE_TEST_CASE(without_load, test::Parallel)
   {
     Scene base              = yaw_scene("lifted");
     base.yaw                = 0;
@@ -146,18 +146,7 @@ namespace
     const Summary summary = figures_of_run(led);
     const History history = read_history(led.folder + "/history.h5");
     const auto   &force   = column(history, "vertical_force");
-    check(*std::min_element(force.begin(), force.end()) < 1e3, "hardly a force where there is no load");
-    check_near(summary.vertical_force / 100e3, 1, 0.05, "the load is back");
+    BOOST_TEST(*std::min_element(force.begin(), force.end()) < 1e3, "hardly a force where there is no load");
+    BOOST_TEST(near(summary.vertical_force / 100e3, 1, 0.05, "the load is back"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  constant_rows();
-  slow_shift();
-  going_on();
-  without_load();
-  return parallel.report();
-}

@@ -58,10 +58,8 @@ namespace
 } // namespace
 
 
-int
-main(int argc, char **argv)
+BOOST_FIXTURE_TEST_CASE(moved_cells, test::Parallel)
 {
-  Parallel            parallel(argc, argv);
   Scene               scene    = dip();
   const SceneGeometry geometry = make_geometry(scene);
   Scene               smooth   = scene;
@@ -69,35 +67,34 @@ main(int argc, char **argv)
   const Solid      plain       = whole_mesh(scene, geometry);
   const StableStep step = limit_of_step(scene, geometry), even = limit_of_step(smooth, make_geometry(smooth));
   // hanging vertices lie on their surface there, here in the middle of their parents
-  check_relative(step.step, plain.stable.step, 0.02, "step over the dip");
-  check(step.body == plain.stable.body, "the body of the stiffest cell");
-  check_near(1e3 * norm(step.place - plain.stable.place), 0, 0.2, "its place [mm]");
-  check(step.step < 0.95 * even.step, "the dip shortens the step");
+  BOOST_TEST(near_relative(step.step, plain.stable.step, 0.02, "step over the dip"));
+  BOOST_TEST((step.body == plain.stable.body), "the body of the stiffest cell");
+  BOOST_TEST(near(1e3 * norm(step.place - plain.stable.place), 0, 0.2, "its place [mm]"));
+  BOOST_TEST(step.step < 0.95 * even.step, "the dip shortens the step");
 
   scene.mass_scaling      = true;
   const Solid      scaled = whole_mesh(scene, geometry);
   const StableStep cube   = limit_of_step(scene, geometry);
-  check_relative(cube.step,
-                 stable_step(highest_frequency(scene), scene.bulk_viscosity),
-                 1e-12,
-                 "step of a cube by mass scaling");
-  check_relative(scaled.stable.step, cube.step, 1e-12, "step of the whole mesh with it");
-  check(cube.step > plain.stable.step && cube.scaled && !step.scaled, "it is longer, and told");
+  BOOST_TEST(near_relative(cube.step,
+                           stable_step(highest_frequency(scene), scene.bulk_viscosity),
+                           1e-12,
+                           "step of a cube by mass scaling"));
+  BOOST_TEST(near_relative(scaled.stable.step, cube.step, 1e-12, "step of the whole mesh with it"));
+  BOOST_TEST((cube.step > plain.stable.step && cube.scaled && !step.scaled), "it is longer, and told");
   const std::string told =
     ", raised to that of a cube by mass scaling; what that adds to the bodies is checked "
     "when a run starts";
-  check(time_step_text(1e-3, cube.step, cube).find(told) != std::string::npos, told);
+  BOOST_TEST((time_step_text(1e-3, cube.step, cube).find(told) != std::string::npos), told);
   for (const Body body : both_bodies)
-    check_near(1e6 * (mass(scaled, body) / mass(plain, body) - 1),
-               1e6 * scaled.quality.scaled_share[body],
-               1e-3,
-               std::string("mass added to the ") + body_name(body) + ", told [1e-6]");
-  check(scaled.quality.scaled_share.rail > 0, "the rail becomes heavier");
-  check_text(
+    BOOST_TEST(near(1e6 * (mass(scaled, body) / mass(plain, body) - 1),
+                    1e6 * scaled.quality.scaled_share[body],
+                    1e-3,
+                    std::string("mass added to the ") + body_name(body) + ", told [1e-6]"));
+  BOOST_TEST(scaled.quality.scaled_share.rail > 0, "the rail becomes heavier");
+  BOOST_TEST(same_text(
     message_of([&]() { make_model(scene, geometry, MPI_COMM_WORLD); }),
     "Mesh/Mass scaling = true: it would add 0.78 % to the mass of the rail, and 0.1 % is accepted; leave it "
     "out, or take a smaller Mesh/Solution cell size",
-    "mass scaling of large cells");
-  check(!scene_on_coarser_cells(scene).mass_scaling, "a second run on larger cells has none");
-  return parallel.report();
+    "mass scaling of large cells"));
+  BOOST_TEST(!scene_on_coarser_cells(scene).mass_scaling, "a second run on larger cells has none");
 }

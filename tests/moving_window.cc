@@ -156,13 +156,13 @@ namespace
         window.column.rail  = column;
         window.column.wheel = column == 5 ? 176 : column; // some turn later the same place, and another one
         change(model, window);
-        check_near(
-          off(model.solid, model.solid.displacement, linear_displacement), 0, 1e-13, at + "displacements");
+        BOOST_TEST(near(
+          off(model.solid, model.solid.displacement, linear_displacement), 0, 1e-13, at + "displacements"));
         // the correction of the momentum takes up what chords of coarse cells lack in mass
-        check_near(
-          off(model.solid, model.solid.velocity, linear_velocity), 0, 0.02, at + "velocities nearly");
-        check_near(model.solid.stable.step / step.step, 1, 1e-9, at + "the same stable step");
-        check(model.contact->rail().lattice.first_station != 0, at + "the contact has its lattice");
+        BOOST_TEST(
+          near(off(model.solid, model.solid.velocity, linear_velocity), 0, 0.02, at + "velocities nearly"));
+        BOOST_TEST(near(model.solid.stable.step / step.step, 1, 1e-9, at + "the same stable step"));
+        BOOST_TEST(model.contact->rail().lattice.first_station != 0, at + "the contact has its lattice");
       }
   }
 
@@ -178,38 +178,39 @@ namespace
     const auto  patch =
       overlap_along(make_geometry(scene), kik_piotrowski * model.expected_approach, scene.fine_margin);
     const double bound = std::max(-patch.s0, patch.s1);
-    check_near(plan.reach - bound,
-               3 * scene.cell_size,
-               1e-12,
-               "three cells beyond the patch, where a margin of two is given [m]");
-    check_near(window_range(plan, window, Body::rail).s0, -plan.reach, 1e-12, "begin of the path [m]");
-    check_near(window_range(plan, window, Body::wheel).s1, path + plan.reach, 1e-12, "end of the path [m]");
+    BOOST_TEST(near(plan.reach - bound,
+                    3 * scene.cell_size,
+                    1e-12,
+                    "three cells beyond the patch, where a margin of two is given [m]"));
+    BOOST_TEST(near(window_range(plan, window, Body::rail).s0, -plan.reach, 1e-12, "begin of the path [m]"));
+    BOOST_TEST(
+      near(window_range(plan, window, Body::wheel).s1, path + plan.reach, 1e-12, "end of the path [m]"));
     change(model, window);
-    check_near(model.solid.stable.step / step, 1, 1e-9, "the same stable step with cells cut off");
-    check(!follow(window, plan, {path, path + 1e-3}), "a wheel that creeps stays");
-    check(follow(window, plan, {path, path + 5e-3}),
-          "a wheel that spins beyond the path takes cells with it");
-    check_near(
-      window_range(plan, window, Body::wheel).s1, plan.around_block.s1, 1e-12, "as far as anywhere [m]");
-    check_near(
-      window_range(plan, window, Body::rail).s1, path + plan.reach, 1e-12, "those of the rail stay [m]");
-    check(!follow(window, plan, {path, path + 5e-3}), "once");
+    BOOST_TEST(near(model.solid.stable.step / step, 1, 1e-9, "the same stable step with cells cut off"));
+    BOOST_TEST(!follow(window, plan, {path, path + 1e-3}), "a wheel that creeps stays");
+    BOOST_TEST(follow(window, plan, {path, path + 5e-3}),
+               "a wheel that spins beyond the path takes cells with it");
+    BOOST_TEST(near(
+      window_range(plan, window, Body::wheel).s1, plan.around_block.s1, 1e-12, "as far as anywhere [m]"));
+    BOOST_TEST(near(
+      window_range(plan, window, Body::rail).s1, path + plan.reach, 1e-12, "those of the rail stay [m]"));
+    BOOST_TEST(!follow(window, plan, {path, path + 5e-3}), "once");
     // a resumed run with a longer way
     model.window = window;
-    check(!lengthen_path(model, path), "the same path");
-    check(lengthen_path(model, 4 * path), "a longer path");
-    check_near(window_range(plan, model.window, Body::rail).s1,
-               plan.around_block.s1,
-               1e-12,
-               "the rail's cells, too, reach on [m]");
+    BOOST_TEST(!lengthen_path(model, path), "the same path");
+    BOOST_TEST(lengthen_path(model, 4 * path), "a longer path");
+    BOOST_TEST(near(window_range(plan, model.window, Body::rail).s1,
+                    plan.around_block.s1,
+                    1e-12,
+                    "the rail's cells, too, reach on [m]"));
     model.window  = FineWindow();
     window.column = {2, 2};
-    check_near(window_range(plan, window, Body::rail).s0,
-               2 * block + plan.around_block.s0,
-               1e-12,
-               "behind the wheel later on [m]");
-    check_near(
-      window_range(plan, window, Body::rail).s1, 2 * block + plan.around_block.s1, 1e-12, "ahead of it [m]");
+    BOOST_TEST(near(window_range(plan, window, Body::rail).s0,
+                    2 * block + plan.around_block.s0,
+                    1e-12,
+                    "behind the wheel later on [m]"));
+    BOOST_TEST(near(
+      window_range(plan, window, Body::rail).s1, 2 * block + plan.around_block.s1, 1e-12, "ahead of it [m]"));
   }
 
   /// Blocks of a rail of 10 m: even where the wheel can roll, long at the ends.
@@ -227,15 +228,15 @@ namespace
       {
         const double length = z[k + 1] - z[k];
         even += std::abs(length / block - 1) < 1e-9;
-        check(length > 0.99 * block && length < 4.01 * block, "length of a block");
+        BOOST_TEST((length > 0.99 * block && length < 4.01 * block), "length of a block");
         if (k > 0)
           worst = std::max(worst, std::max(length / (z[k] - z[k - 1]), (z[k] - z[k - 1]) / length));
       }
-    check_near(z.front(), 0.02 - 5, 1e-12, "begin of the rail [m]");
-    check_near(z.back(), 0.02 + 5, 1e-12, "its end [m]");
-    check(worst < 1.26, "blocks grow slowly");
-    check(even * block > 2 && z.size() < 310, "even over two metres, fewer than half as many in all");
-    check(plan.longest_path > 0.9 && plan.longest_path < 1.1, "about a metre more can be rolled");
+    BOOST_TEST(near(z.front(), 0.02 - 5, 1e-12, "begin of the rail [m]"));
+    BOOST_TEST(near(z.back(), 0.02 + 5, 1e-12, "its end [m]"));
+    BOOST_TEST(worst < 1.26, "blocks grow slowly");
+    BOOST_TEST((even * block > 2 && z.size() < 310), "even over two metres, fewer than half as many in all");
+    BOOST_TEST((plan.longest_path > 0.9 && plan.longest_path < 1.1), "about a metre more can be rolled");
   }
 
   void
@@ -261,10 +262,10 @@ namespace
             double     lost  = 0;
             for (int i = 0; i < 3; ++i)
               lost = std::max(lost, std::abs(after[i] - before[body][i]));
-            check_near(lost,
-                       0,
-                       1e-10,
-                       std::string(body_name(body)) + ": momentum at column " + std::to_string(column));
+            BOOST_TEST(near(lost,
+                            0,
+                            1e-10,
+                            std::string(body_name(body)) + ": momentum at column " + std::to_string(column)));
           }
       }
   }
@@ -309,23 +310,22 @@ namespace
             rail.flowed[batch]                              = 1;
           }
       }
-    check(fine > 0, "fine cells at the start");
-    check(move_window(scene, model, {3.5 * block, 3.5 * block}, MPI_COMM_WORLD),
-          "the wheel comes to another block");
-    check(model.window.kept.rail == std::vector<int>{0}, "the block that has flowed is kept");
-    check(model.window.kept.wheel.empty(), "none of the wheel");
+    BOOST_TEST(fine > 0, "fine cells at the start");
+    BOOST_TEST(move_window(scene, model, {3.5 * block, 3.5 * block}, MPI_COMM_WORLD),
+               "the wheel comes to another block");
+    BOOST_TEST((model.window.kept.rail == std::vector<int>{0}), "the block that has flowed is kept");
+    BOOST_TEST(model.window.kept.wheel.empty(), "none of the wheel");
     prepare_mesh(model, MPI_COMM_WORLD);
-    check_near(finest_of_first_block(model), fine, 0, "its fine cells");
+    BOOST_TEST(near(finest_of_first_block(model), fine, 0, "its fine cells"));
     model.window.kept.rail.clear();
     prepare_mesh(model, MPI_COMM_WORLD);
-    check(finest_of_first_block(model) < 0.1 * fine, "which else would be gone");
+    BOOST_TEST(finest_of_first_block(model) < 0.1 * fine, "which else would be gone");
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(moving_window, test::Parallel)
 {
-  Parallel    parallel(argc, argv);
   const Scene scene = moving_scene();
   Model       model = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
   linear_fields(model);
@@ -333,5 +333,4 @@ main(int argc, char **argv)
   long_rail();
   momentum_is_kept(model);
   flowed_cells_stay();
-  return parallel.report();
 }

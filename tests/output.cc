@@ -14,9 +14,9 @@
 #include <wheelrail/output/vtu.h>
 #include <wheelrail/sampling/patch_measures.h>
 
-#include "check.h"
 #include "error_of.h"
 #include "hertz_patch.h"
+#include "parallel.h"
 #include "read_output.h"
 
 #include <deal.II/base/mpi.h>
@@ -84,7 +84,7 @@ namespace
         for (const std::string &part : parts)
           good = good && message.find(part) != std::string::npos;
       }
-    check(good, text + " [" + message + "]");
+    BOOST_TEST(good, text + " [" + message + "]");
   }
 
   void
@@ -116,11 +116,11 @@ namespace
 
     PvdSeries resumed(folder + "/volume.pvd");
     resumed.load();
-    check(resumed.entries().size() == 3 && resumed.entries()[2].second == "gone.vtu",
-          "a series is read back with its names");
-    check_near(resumed.entries()[1].first, 0.002571234567, 1e-12, "time of the second entry [s]");
+    BOOST_TEST((resumed.entries().size() == 3 && resumed.entries()[2].second == "gone.vtu"),
+               "a series is read back with its names");
+    BOOST_TEST(near(resumed.entries()[1].first, 0.002571234567, 1e-12, "time of the second entry [s]"));
     resumed.add(0.004, "volume.vtu");
-    check(resumed.entries().size() == 3, "a time that comes again replaces the entry");
+    BOOST_TEST(resumed.entries().size() == 3, "a time that comes again replaces the entry");
   }
 
   void
@@ -129,8 +129,9 @@ namespace
     History history{{"time", "normal_force"}, {"s", "N"}, {{0, 1e-3, 2e-3}, {100e3, 101e3, 102e3}}};
     write_history(history, folder + "/history.h5");
     const History back = read_history(folder + "/history.h5");
-    check(back.names == history.names && back.units == history.units && back.columns == history.columns,
-          "a history is read back as it was written");
+    BOOST_TEST(
+      (back.names == history.names && back.units == history.units && back.columns == history.columns),
+      "a history is read back as it was written");
     history.columns[1].pop_back();
     history.units.pop_back();
     check_throws<RunError>([&]() { write_history(history, folder + "/history.h5"); },
@@ -144,14 +145,14 @@ namespace
         append_patch(file, patch);
     }
     TickFile resumed(folder + "/patch.h5", true, 2);
-    check(resumed.n_ticks() == 2, "a resumed patch file keeps the ticks asked for");
+    BOOST_TEST(resumed.n_ticks() == 2, "a resumed patch file keeps the ticks asked for");
     PatchFields later = patch;
     later.time        = 0.25;
     append_patch(resumed, later);
     const PatchFields read = read_patch(folder + "/patch.h5", 2);
-    check(read.n_along == patch.n_along && read.n_lateral == patch.n_lateral && read.time == 0.25 &&
-            read.pressure == patch.pressure && read.gap == patch.gap && read.state == patch.state,
-          "a patch is read back as it was written");
+    BOOST_TEST((read.n_along == patch.n_along && read.n_lateral == patch.n_lateral && read.time == 0.25 &&
+                read.pressure == patch.pressure && read.gap == patch.gap && read.state == patch.state),
+               "a patch is read back as it was written");
 
     replace_file(folder + "/no.h5", std::string("no HDF5 at all"));
     check_throws<RunError>([&]() { TickFile(folder + "/no.h5", true, 1); },
@@ -176,10 +177,10 @@ namespace
       append_patch(file, patch);
     });
     setrlimit(RLIMIT_FSIZE, &old);
-    check(message.find("patch.h5\" cannot be written: File too large") != std::string::npos,
-          "a file that cannot grow is named with the reason [" + message + "]");
-    check(read_whole_file(folder + "/patch.h5") == before, "the file written before is untouched");
-    check(!std::filesystem::exists(folder + "/patch.h5.part"), "no temporary file stays behind");
+    BOOST_TEST((message.find("patch.h5\" cannot be written: File too large") != std::string::npos),
+               "a file that cannot grow is named with the reason [" + message + "]");
+    BOOST_TEST((read_whole_file(folder + "/patch.h5") == before), "the file written before is untouched");
+    BOOST_TEST(!std::filesystem::exists(folder + "/patch.h5.part"), "no temporary file stays behind");
   }
 
   /// Largest errors over 30 positions of the grid against each ellipse.
@@ -200,9 +201,9 @@ namespace
           length         = std::max(length, std::abs(m.length / (2 * a) - 1));
           width          = std::max(width, std::abs(m.width / (2 * b) - 1));
         }
-    check_near(area, 0, tolerance, "largest relative error of the area, " + text);
-    check_near(length, 0, tolerance, "largest relative error of the length, " + text);
-    check_near(width, 0, tolerance, "largest relative error of the width, " + text);
+    BOOST_TEST(near(area, 0, tolerance, "largest relative error of the area, " + text));
+    BOOST_TEST(near(length, 0, tolerance, "largest relative error of the length, " + text));
+    BOOST_TEST(near(width, 0, tolerance, "largest relative error of the width, " + text));
   }
 
   void
@@ -218,28 +219,28 @@ namespace
     test_hertz_extent(narrow, 0.02, "narrow, half width 2.5 to 3.15 mm on 1 mm cells");
 
     const auto m = measure_patch(hertz_patch(a, b, 1e-3, 0.25, 0.4));
-    check_near(m.area, area, 0.01 * area, "area of the ellipse [m2]");
-    check_near(m.centre_along, 0, 2e-5, "centre along [m]");
-    check_near(m.centre_of_pressure_lateral, 0, 2e-5, "centre of pressure, lateral [m]");
-    check_near(
-      m.normal_force, 2. / 3. * hertz_peak * area, 0.01 * 2. / 3. * hertz_peak * area, "normal force [N]");
-    check_near(m.peak_pressure, hertz_peak, 0.006 * hertz_peak, "largest nodal pressure [Pa]");
-    check_near(m.peak_pressure_fitted, hertz_peak, 0.005 * hertz_peak, "fitted peak [Pa]");
-    check_near(
-      m.traction_force_along, -0.3 * m.normal_force, 1e-6 * m.normal_force, "shear force on the rail [N]");
-    check_near(m.max_traction, 0.3 * m.peak_pressure, 1, "largest shear traction [Pa]");
-    check(m.n_patches == 1 && !m.touches_border, "one whole patch");
-    check(m.stick_fraction > 0.3 && m.stick_fraction < 0.7, "stick fraction of a half-sticking patch");
+    BOOST_TEST(near(m.area, area, 0.01 * area, "area of the ellipse [m2]"));
+    BOOST_TEST(near(m.centre_along, 0, 2e-5, "centre along [m]"));
+    BOOST_TEST(near(m.centre_of_pressure_lateral, 0, 2e-5, "centre of pressure, lateral [m]"));
+    BOOST_TEST(near(
+      m.normal_force, 2. / 3. * hertz_peak * area, 0.01 * 2. / 3. * hertz_peak * area, "normal force [N]"));
+    BOOST_TEST(near(m.peak_pressure, hertz_peak, 0.006 * hertz_peak, "largest nodal pressure [Pa]"));
+    BOOST_TEST(near(m.peak_pressure_fitted, hertz_peak, 0.005 * hertz_peak, "fitted peak [Pa]"));
+    BOOST_TEST(near(
+      m.traction_force_along, -0.3 * m.normal_force, 1e-6 * m.normal_force, "shear force on the rail [N]"));
+    BOOST_TEST(near(m.max_traction, 0.3 * m.peak_pressure, 1, "largest shear traction [Pa]"));
+    BOOST_TEST((m.n_patches == 1 && !m.touches_border), "one whole patch");
+    BOOST_TEST((m.stick_fraction > 0.3 && m.stick_fraction < 0.7), "stick fraction of a half-sticking patch");
 
     const auto two = measure_patch(two_patches(hertz_patch(5e-3, 4e-3, 1e-3, 0.1, 0.2)));
-    check(two.n_patches == 2, "two separate patches are counted");
-    check_near(two.area, 2 * M_PI * 20e-6, 0.01 * 2 * M_PI * 20e-6, "area of two patches [m2]");
+    BOOST_TEST(two.n_patches == 2, "two separate patches are counted");
+    BOOST_TEST(near(two.area, 2 * M_PI * 20e-6, 0.01 * 2 * M_PI * 20e-6, "area of two patches [m2]"));
 
     PatchFields empty = hertz_patch(a, b, 1e-3, 0, 0);
     std::fill(empty.pressure.begin(), empty.pressure.end(), 0.);
     const auto none = measure_patch(empty);
-    check(none.area == 0 && none.peak_pressure == 0 && none.n_loaded == 0 && none.width == 0,
-          "a patch without load gives zeros");
+    BOOST_TEST((none.area == 0 && none.peak_pressure == 0 && none.n_loaded == 0 && none.width == 0),
+               "a patch without load gives zeros");
     empty.gap.pop_back();
     check_throws<RunError>([&]() { measure_patch(empty); }, {"values where"}, "a short field is refused");
   }
@@ -258,13 +259,13 @@ namespace
     write_summary(summary, folder + "/summary.json");
 
     const Summary back = read_summary(folder + "/summary.json");
-    check_near(back.normal_force, 103000.5, 0, "normal force read back [N]");
-    check_near(get_figure(back, "normal_force_std_N"), 321, 0, "a further figure read back [N]");
-    check(std::isnan(back.creepage) && back.finished && back.title == summary.title,
-          "a missing figure stays missing, text and state come back");
+    BOOST_TEST(near(back.normal_force, 103000.5, 0, "normal force read back [N]"));
+    BOOST_TEST(near(get_figure(back, "normal_force_std_N"), 321, 0, "a further figure read back [N]"));
+    BOOST_TEST((std::isnan(back.creepage) && back.finished && back.title == summary.title),
+               "a missing figure stays missing, text and state come back");
     for (const Figure &figure : all_figures())
-      check(figure_with_key(figure.key()) == &figure && &figure_named(figure.name) == &figure,
-            std::string(figure.name) + " stands once in the table of figures");
+      BOOST_TEST((figure_with_key(figure.key()) == &figure && &figure_named(figure.name) == &figure),
+                 std::string(figure.name) + " stands once in the table of figures");
   }
 
   void
@@ -283,9 +284,9 @@ namespace
       OutputFolder(name, FolderMode::fresh, "d", MPI_COMM_WORLD);
     };
     begin(FolderMode::fresh, "set Title = a\n", "all = a\n");
-    check(read_whole_file(run + "/input.prm") == "set Title = a\n" &&
-            read_whole_file(run + "/parameters.prm") == "all = a\n",
-          "a new folder holds input and parameters");
+    BOOST_TEST((read_whole_file(run + "/input.prm") == "set Title = a\n" &&
+                read_whole_file(run + "/parameters.prm") == "all = a\n"),
+               "a new folder holds input and parameters");
     MPI_Barrier(MPI_COMM_WORLD);
 
     on_root(MPI_COMM_WORLD, [&]() {
@@ -296,18 +297,19 @@ namespace
     check_throws<InputError>([&]() { begin(FolderMode::fresh, "b", "b"); },
                              {"deep/run", "holds a finished run", "--overwrite"},
                              "the folder of a finished run is refused on all ranks");
-    check(std::filesystem::exists(run + "/old.vtu") &&
-            read_whole_file(run + "/parameters.prm") == "all = a\n",
-          "the refused folder is unchanged");
+    BOOST_TEST(
+      (std::filesystem::exists(run + "/old.vtu") && read_whole_file(run + "/parameters.prm") == "all = a\n"),
+      "the refused folder is unchanged");
     MPI_Barrier(MPI_COMM_WORLD);
 
     begin(FolderMode::resume, "b", "b");
-    check(std::filesystem::exists(run + "/old.vtu"), "resuming keeps all files");
+    BOOST_TEST(std::filesystem::exists(run + "/old.vtu"), "resuming keeps all files");
     MPI_Barrier(MPI_COMM_WORLD);
     begin(FolderMode::overwrite, "c", "c");
-    check(!std::filesystem::exists(run + "/old.vtu") && !std::filesystem::exists(run + "/summary.json"),
-          "overwriting removes the files of the earlier run");
-    check(read_whole_file(run + "/notes.txt") == "mine", "overwriting leaves the user's files alone");
+    BOOST_TEST(
+      (!std::filesystem::exists(run + "/old.vtu") && !std::filesystem::exists(run + "/summary.json")),
+      "overwriting removes the files of the earlier run");
+    BOOST_TEST((read_whole_file(run + "/notes.txt") == "mine"), "overwriting leaves the user's files alone");
 
     {
       const OutputFolder held(run, FolderMode::overwrite, "e", MPI_COMM_WORLD);
@@ -316,8 +318,8 @@ namespace
                                "a folder in which a run works is refused on all ranks");
     }
     MPI_Barrier(MPI_COMM_WORLD); // the root removes it
-    check(!std::filesystem::exists(run + "/run.lock") && read_whole_file(run + "/input.prm") == "c",
-          "afterwards the lock is gone, and nothing was changed");
+    BOOST_TEST((!std::filesystem::exists(run + "/run.lock") && read_whole_file(run + "/input.prm") == "c"),
+               "afterwards the lock is gone, and nothing was changed");
     check_throws<InputError>([&]() { open(run + "/notes.txt/sub"); },
                              {"notes.txt\" is a file"},
                              "a file in the place of a folder is named");
@@ -332,14 +334,15 @@ namespace
   {
     const std::string python = "/usr/bin/python3 ", tests = WHEELRAIL_TEST_DIR;
     std::cout << std::flush;
-    check(std::system(
-            (python + tests + "/read_output.py " + folder + " " + std::to_string(n_ranks)).c_str()) == 0,
-          "read_output.py finds what belongs in the files");
+    BOOST_TEST(
+      (std::system((python + tests + "/read_output.py " + folder + " " + std::to_string(n_ranks)).c_str()) ==
+       0),
+      "read_output.py finds what belongs in the files");
     if (n_ranks == 1) // drawing takes seconds and does not depend on ranks
-      check(std::system((python + tests + "/read_report.py " + WHEELRAIL_SOURCE_DIR +
-                         "/source/report/report.py " + folder)
-                          .c_str()) == 0,
-            "read_report.py finds pictures and page of the report");
+      BOOST_TEST(std::system((python + tests + "/read_report.py " + WHEELRAIL_SOURCE_DIR +
+                              "/source/report/report.py " + folder)
+                               .c_str()) == 0,
+                 "read_report.py finds pictures and page of the report");
   }
 
   std::string
@@ -355,10 +358,9 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(output, test::Parallel)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   const std::string  folder  = make_temporary_folder();
@@ -376,5 +378,4 @@ main(int argc, char **argv)
     }
   MPI_Barrier(MPI_COMM_WORLD);
   on_root(MPI_COMM_WORLD, [&]() { std::filesystem::remove_all(folder); });
-  return report();
 }

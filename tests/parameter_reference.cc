@@ -2,7 +2,7 @@
 
 // doc/manual/parameters.md is what the program prints, and what it prints holds every entry.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/read_file.h>
@@ -14,8 +14,7 @@
 #include <sstream>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
+using test::same_text;
 
 namespace
 {
@@ -40,14 +39,15 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(page)
 {
   const std::string expected = parameter_reference();
   const std::string found    = read_whole_file(WHEELRAIL_SOURCE_DIR "/doc/manual/parameters.md");
-  if (!check(found == expected,
+  BOOST_TEST((found == expected),
              "doc/manual/parameters.md is up to date (./wheelrail parameters --markdown > "
-             "doc/manual/parameters.md renews it)"))
+             "doc/manual/parameters.md renews it)");
+  if (found != expected)
     show_difference(found, expected);
 
   for (const Entry &entry : entries())
@@ -58,14 +58,14 @@ main()
         "\n## " + (entry.section.empty() ? "Outside all subsections" : entry.section) + "\n";
       const std::size_t begin = expected.find(heading), end = expected.find("\n## ", begin + 1);
       const std::string part = begin == std::string::npos ? "" : expected.substr(begin, end - begin);
-      check(part.find("| " + entry.name + " | ") != std::string::npos &&
-              part.find(" | " + printed_range(entry) + " | " + entry.meaning + " |") != std::string::npos,
-            entry.path() + " stands in its section");
+      BOOST_TEST(
+        (part.find("| " + entry.name + " | ") != std::string::npos &&
+         part.find(" | " + printed_range(entry) + " | " + entry.meaning + " |") != std::string::npos),
+        entry.path() + " stands in its section");
     }
 
   std::ostringstream out;
   const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
-  check(execute({"parameters", "--markdown"}, run, out) == 0, "parameters --markdown");
-  check_text(out.str(), expected, "parameters --markdown prints the reference");
-  return test::report();
+  BOOST_TEST((execute({"parameters", "--markdown"}, run, out) == 0), "parameters --markdown");
+  BOOST_TEST(same_text(out.str(), expected, "parameters --markdown prints the reference"));
 }

@@ -19,8 +19,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -32,34 +31,34 @@ namespace
     return trend_of(rounds, least, change);
   }
 
-  void
-  test_trend()
+  BOOST_AUTO_TEST_CASE(test_trend)
   {
-    check(trend({}) == PassageTrend::open, "nothing is known before the first");
-    check(trend({{0, 0}}) == PassageTrend::shakedown, "a rail that does not yield has shaken down");
+    BOOST_TEST((trend({}) == PassageTrend::open), "nothing is known before the first");
+    BOOST_TEST((trend({{0, 0}}) == PassageTrend::shakedown), "a rail that does not yield has shaken down");
     std::vector<RoundGrowth> rounds;
     for (int n = 0; n < 6; ++n)
       {
         rounds.push_back({1e-3 * std::pow(0.3, n), 5e-4 * std::pow(0.3, n)});
         const bool below = rounds.back().strain < least;
-        check(trend(rounds) == (below ? PassageTrend::shakedown : PassageTrend::open),
-              "growth that falls to a third in each, round " + std::to_string(n + 1));
+        BOOST_TEST((trend(rounds) == (below ? PassageTrend::shakedown : PassageTrend::open)),
+                   "growth that falls to a third in each, round " + std::to_string(n + 1));
       }
-    check(trend({{1e-3, 5e-4}, {1e-3, 5e-4}}) == PassageTrend::open, "two alike are not enough");
-    check(trend({{1e-3, 5e-4}, {1.01e-3, 5e-4}, {1e-3, 4.9e-4}}) == PassageTrend::ratcheting, "ratcheting");
-    check(trend({{1e-3, -5e-4}, {1e-3, -5e-4}, {1e-3, -5e-4}}) == PassageTrend::ratcheting,
-          "ratcheting against the way");
-    check(trend({{1e-3, 5e-4}, {1e-3, 4e-4}, {1e-3, 3e-4}}) == PassageTrend::open,
-          "forward flow that still falls");
-    check(trend({{1e-3, 5e-4}, {0.96e-3, 5e-4}, {0.96e-3, 5e-4}}) == PassageTrend::open,
-          "one change that is too large, of the last two");
-    check(trend({{1e-3, 5e-6}, {1e-3, -3e-6}, {1e-3, 2e-6}}) == PassageTrend::to_and_fro,
-          "strain that grows without forward flow");
-    test::check_text(
+    BOOST_TEST((trend({{1e-3, 5e-4}, {1e-3, 5e-4}}) == PassageTrend::open), "two alike are not enough");
+    BOOST_TEST((trend({{1e-3, 5e-4}, {1.01e-3, 5e-4}, {1e-3, 4.9e-4}}) == PassageTrend::ratcheting),
+               "ratcheting");
+    BOOST_TEST((trend({{1e-3, -5e-4}, {1e-3, -5e-4}, {1e-3, -5e-4}}) == PassageTrend::ratcheting),
+               "ratcheting against the way");
+    BOOST_TEST((trend({{1e-3, 5e-4}, {1e-3, 4e-4}, {1e-3, 3e-4}}) == PassageTrend::open),
+               "forward flow that still falls");
+    BOOST_TEST((trend({{1e-3, 5e-4}, {0.96e-3, 5e-4}, {0.96e-3, 5e-4}}) == PassageTrend::open),
+               "one change that is too large, of the last two");
+    BOOST_TEST((trend({{1e-3, 5e-6}, {1e-3, -3e-6}, {1e-3, 2e-6}}) == PassageTrend::to_and_fro),
+               "strain that grows without forward flow");
+    BOOST_TEST(test::same_text(
       in_words(PassageTrend::ratcheting, {1.2e-3, 3e-4}),
       "the rail ratchets: the largest plastic strain grew by 0.0012, the forward shear of the plastic zone "
       "by 0.0003 in the last round",
-      "in words");
+      "in words"));
   }
 
   /// A list for the time of a check.
@@ -85,77 +84,73 @@ namespace
     return passing_wheels(scene, make_geometry(scene));
   }
 
-  void
-  test_list()
+  BOOST_AUTO_TEST_CASE(test_list)
   {
     Scene scene;
     scene.wheel_load           = 90e3;
     scene.traction_coefficient = 0.1;
-    check(wheels_of(scene).size() == 1, "without a list the scene is the round");
+    BOOST_TEST(wheels_of(scene).size() == 1, "without a list the scene is the round");
     const File file(
       "load [kN]; traction; velocity [km/h]\n100; 0.25; 140\n150; 0; 100  # heavy\n80; -25e-2; 140\n");
     scene.passage_list = file.path;
     const auto round   = wheels_of(scene);
-    check(round.size() == 3, "three wheels");
-    check_near(round[1].scene.wheel_load, 150e3, 1e-6, "the load of the second");
-    check_near(round[2].scene.traction_coefficient, -0.25, 1e-12, "the third brakes");
-    check_near(round[1].scene.velocity, 100 / 3.6, 1e-9, "the velocity of the second");
+    BOOST_TEST(round.size() == 3, "three wheels");
+    BOOST_TEST(near(round[1].scene.wheel_load, 150e3, 1e-6, "the load of the second"));
+    BOOST_TEST(near(round[2].scene.traction_coefficient, -0.25, 1e-12, "the third brakes"));
+    BOOST_TEST(near(round[1].scene.velocity, 100 / 3.6, 1e-9, "the velocity of the second"));
     for (const PassingWheel &one : round)
       {
-        check_near(one.scene.planned_load, 150e3, 1e-6, "fine cells are for the largest load");
-        check(one.scene.planned_strip.empty(), "and at one place, where all touch");
+        BOOST_TEST(near(one.scene.planned_load, 150e3, 1e-6, "fine cells are for the largest load"));
+        BOOST_TEST(one.scene.planned_strip.empty(), "and at one place, where all touch");
       }
     const File creepages("creepage [%]\n0.2\n");
     scene.passage_list = creepages.path;
-    check(wheels_of(scene)[0].scene.drive == Drive::rate, "a creepage is held");
-    check_near(wheels_of(scene)[0].scene.creepage, 2e-3, 1e-12, "of that size");
+    BOOST_TEST((wheels_of(scene)[0].scene.drive == Drive::rate), "a creepage is held");
+    BOOST_TEST(near(wheels_of(scene)[0].scene.creepage, 2e-3, 1e-12, "of that size"));
   }
 
   /// Wheels at several places: each has its own contact, and all have the same fine cells, which are around
   /// each of the patches.
-  void
-  test_shifts()
+  BOOST_AUTO_TEST_CASE(test_shifts)
   {
     Scene      scene;
     const File file("lateral shift [mm]\n-2\n0\n2\n");
     scene.passage_list = file.path;
     const auto round   = wheels_of(scene);
-    check(round.size() == 3, "three shifts");
+    BOOST_TEST(round.size() == 3, "three shifts");
     const std::vector<double> strip = round[0].scene.planned_strip;
-    if (!check(strip.size() == 2 && strip[0] < strip[1], "there is a planned strip"))
-      return;
+    BOOST_REQUIRE_MESSAGE(strip.size() == 2 && strip[0] < strip[1], "there is a planned strip");
     const SweepPlan first = sweep_plan(round[0].scene, round[0].geometry);
     for (const PassingWheel &one : round)
       {
         const std::string at = " at " + std::to_string(1e3 * one.scene.lateral_shift) + " mm";
-        check(one.scene.planned_strip == strip, "the same strip" + at);
+        BOOST_TEST((one.scene.planned_strip == strip), "the same strip" + at);
         const double x = one.geometry.contact.rail_x;
-        check(x > strip[0] + 5e-3 && x < strip[1] - 5e-3, "it is around the contact point" + at);
+        BOOST_TEST((x > strip[0] + 5e-3 && x < strip[1] - 5e-3), "it is around the contact point" + at);
         const SweepPlan plan = sweep_plan(one.scene, one.geometry);
         double          off  = plan.rail.corners.size() == first.rail.corners.size() ? 0 : HUGE_VAL;
         for (std::size_t k = 0; k < first.rail.corners.size() && std::isfinite(off); ++k)
           off = std::max(off,
                          std::hypot(plan.rail.corners[k].x - first.rail.corners[k].x,
                                     plan.rail.corners[k].y - first.rail.corners[k].y));
-        check_near(off, 0, 1e-12, "the section of the rail is divided alike [m]" + at);
-        check(plan.rail_stations == first.rail_stations, "and along" + at);
+        BOOST_TEST(near(off, 0, 1e-12, "the section of the rail is divided alike [m]" + at));
+        BOOST_TEST((plan.rail_stations == first.rail_stations), "and along" + at);
         // where the wheel touches, its surface and that of the rail meet in the common frame
         const ContactFrame &frame = plan.surfaces.frame;
         const double        s     = frame.to_frame(one.geometry.contact.frame.origin).x;
-        check_near(
-          plan.surfaces.outline.at(s).n - plan.surfaces.rail.smooth(s).n, 0, 1e-9, "the wheel touches" + at);
-        check_near(plan.surfaces.outline.at(s).slope - plan.surfaces.rail.smooth(s).slope,
-                   0,
-                   1e-5,
-                   "with one tangent" + at);
+        BOOST_TEST(near(
+          plan.surfaces.outline.at(s).n - plan.surfaces.rail.smooth(s).n, 0, 1e-9, "the wheel touches" + at));
+        BOOST_TEST(near(plan.surfaces.outline.at(s).slope - plan.surfaces.rail.smooth(s).slope,
+                        0,
+                        1e-5,
+                        "with one tangent" + at));
       }
-    check(std::abs(round[0].geometry.contact.rail_x - round[2].geometry.contact.rail_x) > 5e-3,
-          "the places differ by more than a few cells");
+    BOOST_TEST(std::abs(round[0].geometry.contact.rail_x - round[2].geometry.contact.rail_x) > 5e-3,
+               "the places differ by more than a few cells");
   }
 
   /// Scenes in a list may not change the rail.
-  void
-  test_scenes()
+  BOOST_AUTO_TEST_CASE(test_scenes)
   {
     Scene             scene;
     const std::string folder =
@@ -171,23 +166,23 @@ namespace
     scene.folder       = "output/family";
     scene.passage_list = heavy + ", " + heavy;
     const auto round   = wheels_of(scene);
-    check(round.size() == 2, "two files");
-    check_near(round[0].scene.wheel_load, 120e3, 1e-6, "the load of the file");
-    check_near(round[0].scene.friction.at_rest, 0.3, 1e-12, "and its friction");
-    test::check_text(round[0].scene.folder, "output/family", "the folder of the family");
+    BOOST_TEST(round.size() == 2, "two files");
+    BOOST_TEST(near(round[0].scene.wheel_load, 120e3, 1e-6, "the load of the file"));
+    BOOST_TEST(near(round[0].scene.friction.at_rest, 0.3, 1e-12, "and its friction"));
+    BOOST_TEST(test::same_text(round[0].scene.folder, "output/family", "the folder of the family"));
     scene.passage_list = other;
-    test::check_text(test::message_of([&]() { wheels_of(scene); }),
-                     other +
-                       ": Rail material/Yield stress = 300 MPa: that is another rail than that of the scene "
-                       "whose Run/Passage list has this file, where it is none; wheels, loads, shifts and "
-                       "friction may differ",
-                     "another steel");
+    BOOST_TEST(test::same_text(
+      test::message_of([&]() { wheels_of(scene); }),
+      other + ": Rail material/Yield stress = 300 MPa: that is another rail than that of the scene "
+              "whose Run/Passage list has this file, where it is none; wheels, loads, shifts and "
+              "friction may differ",
+      "another steel"));
     scene.passage_list = lists;
-    test::check_text(test::message_of([&]() { wheels_of(scene); }),
-                     lists +
-                       ": Run/Passage list = wheels.csv: a scene of a list cannot have one of its own; write "
-                       "none",
-                     "a list in a list");
+    BOOST_TEST(test::same_text(
+      test::message_of([&]() { wheels_of(scene); }),
+      lists + ": Run/Passage list = wheels.csv: a scene of a list cannot have one of its own; write "
+              "none",
+      "a list in a list"));
     std::filesystem::remove_all(folder);
   }
 
@@ -195,11 +190,11 @@ namespace
   refused(const std::string &text, const std::string &expected)
   {
     const File file(text);
-    test::check_text(test::message_of([&]() { read_passage_list(file.path); }), file.path + expected, text);
+    BOOST_TEST(
+      test::same_text(test::message_of([&]() { read_passage_list(file.path); }), file.path + expected, text));
   }
 
-  void
-  test_messages()
+  BOOST_AUTO_TEST_CASE(test_messages)
   {
     refused("shift [mm]\n1\n",
             ":1: column \"shift [mm]\" is not known; there are load, lateral shift, traction, velocity and "
@@ -212,19 +207,9 @@ namespace
             ": traction and creepage; one follows from the other: leave one of the columns out");
     refused("load [kN]\n",
             ": no rows; such a table has a first line with names and units, and rows of numbers");
-    test::check_text(test::message_of([]() { read_passage_list("no_such.csv"); }),
-                     "no_such.csv: no such file; Run/Passage list needs a table with a row for each wheel",
-                     "no file");
+    BOOST_TEST(
+      test::same_text(test::message_of([]() { read_passage_list("no_such.csv"); }),
+                      "no_such.csv: no such file; Run/Passage list needs a table with a row for each wheel",
+                      "no file"));
   }
 } // namespace
-
-int
-main()
-{
-  test_trend();
-  test_list();
-  test_shifts();
-  test_scenes();
-  test_messages();
-  return test::report();
-}

@@ -4,7 +4,7 @@
 // bound, patches that slide as a whole, elements that are too large for creep,
 // cells whose nodes miss the peak.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/expected_patch.h>
@@ -21,8 +21,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -38,33 +37,33 @@ namespace
 
   /// A fresh flat of 30 mm turns the surface by 15 mm/R at each edge. Under a wedge pressure grows by E* edge
   /// ln 2/(2 pi) where elements are halved (Johnson 1985, equation 5.4).
-  void
-  test_flat()
+  BOOST_AUTO_TEST_CASE(test_flat)
   {
     const std::vector<std::string> sets{
       "Irregularity 1/Kind = flat", "Irregularity 1/Place = 45 mm", "Irregularity 1/Length = 30 mm"};
     const auto coarse = places(sets, "0.4 mm", {0.020, 0.034, 0.045}), fine = places(sets, "0.2 mm", {0.034});
     const Scene  scene;
     const double growth = contact_modulus(scene) * 0.015 / 0.46 * std::log(2.) / (2 * M_PI);
-    check_near((fine[0].peak_pressure - coarse[1].peak_pressure) / growth, 1, 0.05, "growth at an edge");
-    check(coarse[0].verdict.grade() == Grade::trusted, "before the flat: trusted");
-    check(coarse[1].verdict.grade() == Grade::not_trusted && fine[0].verdict.grade() == Grade::not_trusted,
-          "on its edge: " + coarse[1].verdict.doubts());
+    BOOST_TEST(
+      near((fine[0].peak_pressure - coarse[1].peak_pressure) / growth, 1, 0.05, "growth at an edge"));
+    BOOST_TEST((coarse[0].verdict.grade() == Grade::trusted), "before the flat: trusted");
+    BOOST_TEST(
+      (coarse[1].verdict.grade() == Grade::not_trusted && fine[0].verdict.grade() == Grade::not_trusted),
+      "on its edge: " + coarse[1].verdict.doubts());
   }
 
   /// Rail ends that dip leave a notch, beside which pressure is known and as sharp as the notch.
-  void
-  test_joint()
+  BOOST_AUTO_TEST_CASE(test_joint)
   {
     const std::vector<std::string> sets{"Irregularity 1/Kind = dipped joint",
                                         "Irregularity 1/Place = 70 mm",
                                         "Irregularity 1/Length = 100 mm",
                                         "Irregularity 1/Angle = 10 mrad"};
     const auto                     at = places(sets, "0.4 mm", {0.060, 0.068});
-    check(at[0].verdict.grade() == Grade::trusted, "beside the joint: trusted");
-    check(at[1].verdict.grade() == Grade::with_care &&
-            at[1].verdict.doubts().find("sharp notch of 10 mrad") != std::string::npos,
-          "on it: " + at[1].verdict.doubts());
+    BOOST_TEST((at[0].verdict.grade() == Grade::trusted), "beside the joint: trusted");
+    BOOST_TEST((at[1].verdict.grade() == Grade::with_care &&
+                at[1].verdict.doubts().find("sharp notch of 10 mrad") != std::string::npos),
+               "on it: " + at[1].verdict.doubts());
   }
 
   Summary
@@ -81,21 +80,21 @@ namespace
   }
 
   /// Creep forces against 27.6 N, Kalker's coefficient 4.27 times G a b xi.
-  void
-  test_elements()
+  BOOST_AUTO_TEST_CASE(test_elements)
   {
     const std::vector<std::string> held{
       "Wheelset/Drive = rate", "Wheelset/Traction coefficient = 0", "Wheelset/Creepage = 0.00002"};
     const Summary coarse = sphere("0.4 mm", held), fine = sphere("0.1 mm", held);
-    check(std::abs(coarse.longitudinal_force / 27.6 - 1) > 0.1 && grade_of(coarse) != Grade::trusted,
-          "five elements over the radius: " + coarse.doubts);
-    check(std::abs(fine.longitudinal_force / 27.6 - 1) < 0.025 && grade_of(fine) == Grade::trusted,
-          "twenty: " + fine.doubts);
+    BOOST_TEST((std::abs(coarse.longitudinal_force / 27.6 - 1) > 0.1 && grade_of(coarse) != Grade::trusted),
+               "five elements over the radius: " + coarse.doubts);
+    BOOST_TEST((std::abs(fine.longitudinal_force / 27.6 - 1) < 0.025 && grade_of(fine) == Grade::trusted),
+               "twenty: " + fine.doubts);
     for (const char *const friction : {"0.25", "0.2499", "0.2"})
-      check(grade_of(sphere("0.1 mm",
-                            {"Wheelset/Traction coefficient = 0.25",
-                             std::string("Contact/Friction coefficient = ") + friction})) != Grade::trusted,
-            "a patch that slides as a whole at a friction of " + std::string(friction));
+      BOOST_TEST(
+        (grade_of(sphere("0.1 mm",
+                         {"Wheelset/Traction coefficient = 0.25",
+                          std::string("Contact/Friction coefficient = ") + friction})) != Grade::trusted),
+        "a patch that slides as a whole at a friction of " + std::string(friction));
   }
 
   /// Each fourth node along and across, from one on in both.
@@ -124,8 +123,7 @@ namespace
 
   /// A worn wheel presses a narrow peak into a wide patch: nodes 1.2 mm apart miss up to 3 % of it, and what
   /// is said to lie between them is that; a wide patch of new profiles is missed by nothing.
-  void
-  test_between_nodes()
+  BOOST_AUTO_TEST_CASE(test_between_nodes)
   {
     const std::string worn =
       "Profiles/Wheel = " + std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_S1002.prw";
@@ -147,21 +145,12 @@ namespace
               const double        missed = peak / seen.peak_pressure - 1;
               most_missed                = std::max(most_missed, missed);
               largest_rise               = std::max(largest_rise, seen.between_nodes);
-              check_near(seen.between_nodes, missed, narrow ? 0.02 : 3e-3, "between the nodes");
+              BOOST_TEST(near(seen.between_nodes, missed, narrow ? 0.02 : 3e-3, "between the nodes"));
             }
         std::printf("missed %.4f, found %.4f\n", most_missed, largest_rise);
-        check(narrow ? most_missed > 0.03 && largest_rise > 0.03 : most_missed < 0.01 && largest_rise < 0.01,
-              "narrow and wide peaks");
+        BOOST_TEST(
+          (narrow ? most_missed > 0.03 && largest_rise > 0.03 : most_missed < 0.01 && largest_rise < 0.01),
+          "narrow and wide peaks");
       }
   }
 } // namespace
-
-int
-main()
-{
-  test_flat();
-  test_joint();
-  test_elements();
-  test_between_nodes();
-  return test::report();
-}

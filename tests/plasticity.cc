@@ -6,8 +6,8 @@
 #include <wheelrail/solid/law_scope.h>
 #include <wheelrail/solid/point_state.h>
 
-#include "check.h"
 #include "explicit_brick.h"
+#include "parallel.h"
 #include "scenes/dynamics.h"
 
 #include <algorithm>
@@ -41,16 +41,18 @@ namespace
           spread = std::max(spread, std::abs(stress[e][k] - stress[0][k]) / soft.yield_stress);
         spread = std::max(spread, std::abs(strain[e] - strain[0]) / strain[0]);
       }
-    test::check(strain[0] > 1e-3, "patch test: cells yield");
-    test::check_near(spread, 0, 1e-11, "patch test: equal stress and plastic strain in distorted cells");
+    BOOST_TEST(strain[0] > 1e-3, "patch test: cells yield");
+    BOOST_TEST(
+      test::near(spread, 0, 1e-11, "patch test: equal stress and plastic strain in distorted cells"));
     double inner = 0;
     for (int k = 1; k < 3; ++k)
       for (int j = 1; j < 3; ++j)
         for (int i = 1; i < 3; ++i)
           for (int c = 0; c < 3; ++c)
             inner = std::max(inner, std::abs(body.f[4 * body.mesh.node(i, j, k) + c]));
-    test::check_near(inner / largest(body.f), 0, 1e-12, "patch test: inner forces vanish");
-    test::check_near(body.energy.stabilisation / body.energy.strain, 0, 1e-20, "no stabilisation energy");
+    BOOST_TEST(test::near(inner / largest(body.f), 0, 1e-12, "patch test: inner forces vanish"));
+    BOOST_TEST(
+      test::near(body.energy.stabilisation / body.energy.strain, 0, 1e-20, "no stabilisation energy"));
   }
 
   /// A rough deformation, not linear in the cells.
@@ -92,12 +94,12 @@ namespace
         back[4 * n + 1] = std::cos(turns) * y + std::sin(turns) * z;
         back[4 * n + 2] = -std::sin(turns) * y + std::cos(turns) * z;
       }
-    test::check(largest(AlignedVector<double>(rest.blocks.history)) > 1e-3, "rough deformation yields");
-    test::check_near(difference(rest.blocks.history, turning.blocks.history),
-                     0,
-                     1e-13,
-                     "ten turns leave the plastic history as it is at rest");
-    test::check_near(difference(back, rest.f) / largest(rest.f), 0, 1e-9, "forces turn with the body");
+    BOOST_TEST(largest(AlignedVector<double>(rest.blocks.history)) > 1e-3, "rough deformation yields");
+    BOOST_TEST(test::near(difference(rest.blocks.history, turning.blocks.history),
+                          0,
+                          1e-13,
+                          "ten turns leave the plastic history as it is at rest"));
+    BOOST_TEST(test::near(difference(back, rest.f) / largest(rest.f), 0, 1e-9, "forces turn with the body"));
     double force[3] = {}, moment[3] = {};
     for (std::size_t n = 0; n < rest.mesh.vertices.size(); ++n)
       for (int i = 0; i < 3; ++i)
@@ -110,8 +112,8 @@ namespace
         }
     for (int i = 0; i < 3; ++i)
       {
-        test::check_near(force[i] / largest(rest.f), 0, 1e-12, "forces sum to zero");
-        test::check_near(moment[i] / largest(rest.f), 0, 1e-12, "moments sum to zero");
+        BOOST_TEST(test::near(force[i] / largest(rest.f), 0, 1e-12, "forces sum to zero"));
+        BOOST_TEST(test::near(moment[i] / largest(rest.f), 0, 1e-12, "moments sum to zero"));
       }
   }
 
@@ -129,13 +131,13 @@ namespace
         monotone = monotone && body.energy.plastic_work >= last - 1e-9 * work;
         last     = body.energy.plastic_work;
       }
-    test::check(body.energy.plastic_work > 10 * body.stored(), "most of the work is plastic" + name);
-    test::check_near((body.stored() + body.energy.plastic_work) / work,
-                     1,
-                     2e-4,
-                     "strain, stabilisation and plastic work are the external work" + name);
+    BOOST_TEST(body.energy.plastic_work > 10 * body.stored(), "most of the work is plastic" + name);
+    BOOST_TEST(test::near((body.stored() + body.energy.plastic_work) / work,
+                          1,
+                          2e-4,
+                          "strain, stabilisation and plastic work are the external work" + name));
     if (plasticity.kinematic_fraction == 0)
-      test::check(monotone, "plastic work only grows" + name);
+      BOOST_TEST(monotone, "plastic work only grows" + name);
   }
 
   void
@@ -150,22 +152,23 @@ namespace
         for (const double amount : {0.2, 1., -0.5, 0.1})
           for (Brick *b : {&body, &single})
             b->move_to(nodal(mesh, [&](const Vector &X) { return rough(X, amount); }));
-        test::check_near(difference(body.f, single.f) / largest(single.f),
-                         0,
-                         1e-11,
-                         "width " + std::to_string(width) + " equals width 1");
-        test::check_near((body.energy.plastic_work - single.energy.plastic_work) / single.energy.plastic_work,
-                         0,
-                         1e-12,
-                         "and so does its plastic work");
+        BOOST_TEST(test::near(difference(body.f, single.f) / largest(single.f),
+                              0,
+                              1e-11,
+                              "width " + std::to_string(width) + " equals width 1"));
+        BOOST_TEST(
+          test::near((body.energy.plastic_work - single.energy.plastic_work) / single.energy.plastic_work,
+                     0,
+                     1e-12,
+                     "and so does its plastic work"));
       }
     Brick elastic(mesh, Elasticity(), Plasticity()), strong(mesh, Elasticity(), {1e12, 21e9, 0});
     for (Brick *b : {&elastic, &strong})
       b->move_to(nodal(mesh, [&](const Vector &X) { return rough(X, 1); }));
-    test::check_near(difference(elastic.f, strong.f) / largest(elastic.f),
-                     0,
-                     1e-14,
-                     "far below yield a plastic body is an elastic one");
+    BOOST_TEST(test::near(difference(elastic.f, strong.f) / largest(elastic.f),
+                          0,
+                          1e-14,
+                          "far below yield a plastic body is an elastic one"));
   }
 
   /// A solver's trial states leave no trace in the history.
@@ -180,10 +183,11 @@ namespace
       const ElasticScope meanwhile(body.blocks);
       body.move_to(u);
     }
-    check_near(difference(body.f, elastic.f), 0, 0, "made elastic, a body beyond yield has elastic forces");
-    check_near(largest(body.blocks.history), 0, 0, "and keeps its history");
+    BOOST_TEST(
+      near(difference(body.f, elastic.f), 0, 0, "made elastic, a body beyond yield has elastic forces"));
+    BOOST_TEST(near(largest(body.blocks.history), 0, 0, "and keeps its history"));
     body.find_force();
-    check(largest(body.blocks.history) > 1e-3, "afterwards it yields");
+    BOOST_TEST(largest(body.blocks.history) > 1e-3, "afterwards it yields");
   }
 
   /// A body that takes the state of another goes on with the same bits.
@@ -205,10 +209,10 @@ namespace
     mark_flowed(other.blocks);
     for (Brick *b : {&body, &other})
       b->move_to(nodal(mesh, [](const Vector &X) { return rough(X, -0.5); }));
-    check_near(difference(body.f, other.f), 0, 0, "a restored history goes on with the same forces");
-    check_near(body.energy.plastic_work - other.energy.plastic_work, 0, 0, "and the same plastic work");
-    check(saved.size() == 3 && largest(saved[1]) > 1e-3,
-          "viscous state, history and plastic work are visited");
+    BOOST_TEST(near(difference(body.f, other.f), 0, 0, "a restored history goes on with the same forces"));
+    BOOST_TEST(near(body.energy.plastic_work - other.energy.plastic_work, 0, 0, "and the same plastic work"));
+    BOOST_TEST((saved.size() == 3 && largest(saved[1]) > 1e-3),
+               "viscous state, history and plastic work are visited");
   }
 
   /// Moment over fully plastic moment of a beam of `layers` cells through its
@@ -260,10 +264,10 @@ namespace
     for (const int layers : {1, 2, 3, 4, 8})
       {
         const double moment = bending_moment(layers, perfect, 10, 10);
-        test::check_near(moment,
-                         1,
-                         layers == 2 ? 0.06 : 0.02,
-                         "fully plastic moment of " + std::to_string(layers) + " layers");
+        BOOST_TEST(test::near(moment,
+                              1,
+                              layers == 2 ? 0.06 : 0.02,
+                              "fully plastic moment of " + std::to_string(layers) + " layers"));
       }
     // between first yield and full plasticity, M = M_p (1 - 1/(3 k^2)) at k times the curvature of first
     // yield: a single layer stays elastic up to M_p
@@ -276,24 +280,23 @@ namespace
         for (const int layers : {1, 2})
           {
             const double ratio = partly(layers, k);
-            test::check(ratio > 0.98 && ratio < 1.18,
-                        text + std::to_string(layers) + " layers over beam theory " + std::to_string(ratio));
+            BOOST_TEST((ratio > 0.98 && ratio < 1.18),
+                       text + std::to_string(layers) + " layers over beam theory " + std::to_string(ratio));
           }
-        test::check_near(partly(4, k), 1, 0.07, text + "4 layers over beam theory");
+        BOOST_TEST(test::near(partly(4, k), 1, 0.07, text + "4 layers over beam theory"));
       }
-    test::check_near(partly(1, 1.5) * (1 - 1 / 6.75), 1, 0.01, "a single layer is elastic up to M_p");
+    BOOST_TEST(test::near(partly(1, 1.5) * (1 - 1 / 6.75), 1, 0.01, "a single layer is elastic up to M_p"));
     // unloading from 10 to 9 times the curvature of first yield is elastic: M = E
     // I kappa
     const double full = bending_moment(1, perfect, 10, 10);
     const double less = bending_moment(1, perfect, 10, 9);
-    test::check_near(full - less, 2. / 3, 0.005, "a plastic hinge unloads with its elastic stiffness");
+    BOOST_TEST(test::near(full - less, 2. / 3, 0.005, "a plastic hinge unloads with its elastic stiffness"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(plasticity, test::Parallel)
 {
-  scenes::Program program(argc, argv);
   patch_test();
   rotation();
   energy(soft, " (mixed hardening)");
@@ -303,5 +306,4 @@ main(int argc, char **argv)
   elastic_scope();
   saved_state();
   fully_plastic_moment();
-  return report();
 }

@@ -2,7 +2,7 @@
 
 // Profile files: formats, cleaning, smoothing, and the contact of profiles from files.
 
-#include "check.h"
+#include "near.h"
 #include "profile_samples.h"
 
 #include <wheelrail/geometry/contact_geometry.h>
@@ -24,9 +24,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
 using test::columns;
+using test::near;
 using test::sampled;
 
 namespace
@@ -60,35 +59,35 @@ namespace
     return points;
   }
 
-  void
-  test_samples()
+  BOOST_AUTO_TEST_CASE(test_samples)
   {
     const MeasuredProfile prr = read_profile_file(folder + "worn_54E1.prr", options(ProfileKind::rail));
     const MeasuredProfile ban = read_profile_file(folder + "worn_54E1.ban", options(ProfileKind::rail));
-    check(has_note(prr, "unit mm as the file states") &&
-            has_note(prr, "turned upside down: the vertical coordinate of the file points down"),
-          "SIMPACK rail: unit and direction of z told");
-    check(
+    BOOST_TEST((has_note(prr, "unit mm as the file states") &&
+                has_note(prr, "turned upside down: the vertical coordinate of the file points down")),
+               "SIMPACK rail: unit and direction of z told");
+    BOOST_TEST(
       has_note(
         ban,
         "mirrored: files of this format have the gauge side on the right; Profiles/Rail mirror changes it"),
       "MiniProf rail: mirrored");
-    check_near(prr.noise, 4e-6, 1e-6, "noise found in the points, made with 4 micrometres [m]");
+    BOOST_TEST(near(prr.noise, 4e-6, 1e-6, "noise found in the points, made with 4 micrometres [m]"));
     double worst = 0;
     for (double t = 0; t < prr.curve.parameter_end(); t += 0.3)
       {
         const Point2 p = prr.curve.at(t).position, q = p + Point2{-1.5e-3, 4e-3};
         worst = std::max(worst, norm(ban.curve.at(ban.curve.closest(q)).position - q));
       }
-    check_near(worst, 0, 1e-6, "the same rail as SIMPACK and as MiniProf file: the same curve, moved [m]");
+    BOOST_TEST(
+      near(worst, 0, 1e-6, "the same rail as SIMPACK and as MiniProf file: the same curve, moved [m]"));
 
     const MeasuredProfile prw = read_profile_file(folder + "worn_S1002.prw", options(ProfileKind::wheel));
     const MeasuredProfile txt =
       read_profile_file(folder + "worn_S1002_metres.txt", options(ProfileKind::wheel));
-    check(
-      has_note(txt, "mirrored: the flange of the file lies at positive lateral coordinates") &&
-        has_note(txt,
-                 "unit taken as m, since the profile then is 129.5 mm wide; Profiles/Wheel unit changes it"),
+    BOOST_TEST(
+      (has_note(txt, "mirrored: the flange of the file lies at positive lateral coordinates") &&
+       has_note(txt,
+                "unit taken as m, since the profile then is 129.5 mm wide; Profiles/Wheel unit changes it")),
       "two columns in metres, flange on the right: told");
     worst = 0;
     for (double t = 0; t < prw.curve.parameter_end(); t += 0.3)
@@ -96,15 +95,15 @@ namespace
         const Point2 p = prw.curve.at(t).position, q = p + Point2{-31.5e-3, 0};
         worst = std::max(worst, norm(txt.curve.at(txt.curve.closest(q)).position - q));
       }
-    check_near(worst, 0, 1e-6, "the same wheel as SIMPACK and as mirrored two-column file in metres [m]");
+    BOOST_TEST(
+      near(worst, 0, 1e-6, "the same wheel as SIMPACK and as mirrored two-column file in metres [m]"));
     for (const MeasuredProfile *p : {&prr, &ban, &prw, &txt})
-      check(p->curve.at(0).position.x > p->curve.at(p->curve.parameter_end()).position.x,
-            p->file.substr(folder.size()) + " runs from the field side");
+      BOOST_TEST(p->curve.at(0).position.x > p->curve.at(p->curve.parameter_end()).position.x,
+                 p->file.substr(folder.size()) + " runs from the field side");
   }
 
   // The smoothed curve against the exact one where wheels and rails touch.
-  void
-  test_smoothing()
+  BOOST_AUTO_TEST_CASE(test_smoothing)
   {
     struct Case
     {
@@ -142,33 +141,33 @@ namespace
             }
           const std::string name =
             (kind == ProfileKind::rail ? "54E1 sampled " : "S1002 sampled ") + std::string(c.what);
-          check_near(distance, 0, c.distance, name + ": largest distance from the exact profile [m]");
-          check_near(
-            curvature, 0, c.curvature, name + ": largest error of the mean curvature over 5 mm [1/m]");
+          BOOST_TEST(near(distance, 0, c.distance, name + ": largest distance from the exact profile [m]"));
+          BOOST_TEST(
+            near(curvature, 0, c.curvature, name + ": largest error of the mean curvature over 5 mm [1/m]"));
         }
   }
 
-  void
-  test_kinks()
+  BOOST_AUTO_TEST_CASE(test_kinks)
   {
     std::vector<Point2> points;
     for (int i = 0; i <= 80; ++i)
       points.push_back({5e-4 * i, i < 40 ? 0. : 5e-4 * (i - 40)});
     const std::vector<double> exact(points.size(), 0);
     const auto                kinks = find_kinks(points, exact);
-    check(kinks.size() == 1 && kinks[0] == 40, "one kink of 45 degrees found where it is");
+    BOOST_TEST((kinks.size() == 1 && kinks[0] == 40), "one kink of 45 degrees found where it is");
     const Curve curve(smoothing_spline(points, kinks, std::vector<double>(points.size(), 1e-5)));
-    check_near(norm(curve.at(curve.closest(points[40])).position - points[40]), 0, 1e-8, "and kept [m]");
+    BOOST_TEST(
+      near(norm(curve.at(curve.closest(points[40])).position - points[40]), 0, 1e-8, "and kept [m]"));
 
     points.clear();
     for (int i = 0; i <= 60; ++i)
       points.push_back({3e-3 * std::cos(0.05 * i), 3e-3 * std::sin(0.05 * i)});
-    check(find_kinks(points, std::vector<double>(points.size(), 0)).empty(), "an arc of 3 mm has no kinks");
+    BOOST_TEST(find_kinks(points, std::vector<double>(points.size(), 0)).empty(),
+               "an arc of 3 mm has no kinks");
   }
 
   // A defect, what is done about it, and how little it moves the curve.
-  void
-  test_mending()
+  BOOST_AUTO_TEST_CASE(test_mending)
   {
     const auto  base         = head();
     const Curve clean        = read_profile_text(columns(base), "p.txt", options(ProfileKind::rail)).curve;
@@ -182,10 +181,10 @@ namespace
           const Point2 p = mended.curve.at(t).position;
           worst          = std::max(worst, norm(clean.at(clean.closest(p)).position - p));
         }
-      if (!check(has_note(mended, note), what + ": told"))
-        for (const std::string &n : mended.notes)
-          std::cout << "  note: " << n << "\n";
-      check_near(worst, 0, 2e-6, what + ": distance from the curve without it [m]");
+      BOOST_TEST(has_note(mended, note), what + ": told");
+      for (const std::string &n : mended.notes)
+        BOOST_TEST_MESSAGE("  note: " + n);
+      BOOST_TEST(near(worst, 0, 2e-6, what + ": distance from the curve without it [m]"));
     };
     auto points = base;
     points.insert(points.begin() + 50, points[50]);
@@ -212,8 +211,7 @@ namespace
   }
 
   // Without loss: profiles from points in place of the standard ones give the same contact.
-  void
-  test_contact()
+  BOOST_AUTO_TEST_CASE(test_contact)
   {
     const RailProfile  rail  = rail_profile("60E1");
     const WheelProfile wheel = wheel_profile("S1002");
@@ -238,16 +236,16 @@ namespace
               columns(sampled(wheel.tread, 0.5e-3, c.noise, 8)), "p.txt", options(ProfileKind::wheel)),
             0.135,
             notes);
-          check(std::any_of(notes.begin(),
-                            notes.end(),
-                            [](const std::string &n) { return n.find("body of the rail: 60E1") == 0; }),
-                "the head is known as that of a 60E1");
+          BOOST_TEST(std::any_of(notes.begin(),
+                                 notes.end(),
+                                 [](const std::string &n) { return n.find("body of the rail: 60E1") == 0; }),
+                     "the head is known as that of a 60E1");
           const ContactGeometry exact = find_contact(rail, wheel, TrackDimensions(), {shift, RollMode::none});
           const ContactGeometry ours =
             find_contact(measured_r, measured_w, TrackDimensions(), {shift, RollMode::none});
           const std::string name = std::string(c.what) + ", shift " + std::to_string(1e3 * shift) + " mm: ";
-          check_near(ours.rail_x, exact.rail_x, c.place, name + "contact point on the rail [m]");
-          check_near(ours.wheel_x, exact.wheel_x, c.place, name + "contact point on the wheel [m]");
+          BOOST_TEST(near(ours.rail_x, exact.rail_x, c.place, name + "contact point on the rail [m]"));
+          BOOST_TEST(near(ours.wheel_x, exact.wheel_x, c.place, name + "contact point on the wheel [m]"));
           const FrameProfile w(measured_w.tread, ours.wheel, ours.frame),
             r(measured_r.head, ours.rail, ours.frame), w0(wheel.tread, exact.wheel, exact.frame),
             r0(rail.head, exact.rail, exact.frame);
@@ -259,10 +257,10 @@ namespace
               worst =
                 std::max(worst, std::abs(undeformed_distance(w, r, s) - undeformed_distance(w0, r0, there)));
             }
-          check_near(worst, 0, c.distance, name + "undeformed distance within 6 mm [m]");
+          BOOST_TEST(near(worst, 0, c.distance, name + "undeformed distance within 6 mm [m]"));
           const double relative =
             (ours.rail_curvature + ours.wheel_curvature) / (exact.rail_curvature + exact.wheel_curvature);
-          check_near(relative, 1, c.radius, name + "relative lateral curvature, measured over exact");
+          BOOST_TEST(near(relative, 1, c.radius, name + "relative lateral curvature, measured over exact"));
         }
   }
 
@@ -284,8 +282,7 @@ namespace
 
   // A gap below the contact hides where the crown of 300 mm goes over to 80 mm: what the bridge leaves open
   // is said. One beside the contact leaves nothing open.
-  void
-  test_gaps()
+  BOOST_AUTO_TEST_CASE(test_gaps)
   {
     const auto with = [](const double from, const double to) {
       std::vector<Point2> points;
@@ -299,17 +296,16 @@ namespace
       {
         const auto [peak, effect] = with(-14e-3, to);
         const std::string name = "gap from -14 to " + std::to_string(1e3 * to) + " mm, below the contact: ";
-        check(effect > 0.05, name + "moves the peak pressure by " + std::to_string(100 * effect) + " %");
-        check_near(peak / exact, 1, std::min(effect, 0.05), name + "peak pressure over the exact one");
+        BOOST_TEST(effect > 0.05, name + "moves the peak pressure by " + std::to_string(100 * effect) + " %");
+        BOOST_TEST(near(peak / exact, 1, std::min(effect, 0.05), name + "peak pressure over the exact one"));
       }
     const auto [peak, effect] = with(14e-3, 20e-3);
-    check_near(effect, 0, 0.01, "a gap beside the contact: what it moves the peak pressure by");
-    check_near(peak / exact, 1, 0.005, "a gap beside the contact: peak pressure over the exact one");
+    BOOST_TEST(near(effect, 0, 0.01, "a gap beside the contact: what it moves the peak pressure by"));
+    BOOST_TEST(near(peak / exact, 1, 0.005, "a gap beside the contact: peak pressure over the exact one"));
   }
 
   // The peak with noisy points differs from the exact one by less than is said of them, of 19 in 20.
-  void
-  test_coverage()
+  BOOST_AUTO_TEST_CASE(test_coverage)
   {
     unsigned int beyond = 0;
     for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
@@ -328,16 +324,16 @@ namespace
           {
             const auto [peak, effect] = with(1e-5, seed);
             beyond += std::abs(peak / exact - 1) > effect;
-            check(effect < 0.4,
-                  "noise of 10 micrometres moves the peak by " + std::to_string(100 * effect) + " %");
+            BOOST_TEST(effect < 0.4,
+                       "noise of 10 micrometres moves the peak by " + std::to_string(100 * effect) + " %");
           }
       }
-    check(beyond <= 1, std::to_string(beyond) + " of 10 noisy profiles move the peak farther than is said");
+    BOOST_TEST(beyond <= 1,
+               std::to_string(beyond) + " of 10 noisy profiles move the peak farther than is said");
   }
 
   // Noise and rounding of a rail are found, are no kinks, and are counted by what they do to the pressure.
-  void
-  test_noise()
+  BOOST_AUTO_TEST_CASE(test_noise)
   {
     const Curve head = rail_profile("60E1").head;
     struct Case
@@ -359,30 +355,16 @@ namespace
                              : p);
         const std::string text = columns(points);
         if (c.noise > 0)
-          check_near(read_profile_text(text, "p.txt", options(ProfileKind::rail)).noise / c.noise,
-                     1,
-                     0.3,
-                     name + ": found, over the real one");
+          BOOST_TEST(near(read_profile_text(text, "p.txt", options(ProfileKind::rail)).noise / c.noise,
+                          1,
+                          0.3,
+                          name + ": found, over the real one"));
         const Point2 rounding = rounding_of(points);
-        check_near(rounding.x, c.rounding, 1e-9, name + ": rounding of x [m]");
-        check_near(rounding.y, c.rounding, 1e-9, name + ": rounding of y [m]");
+        BOOST_TEST(near(rounding.x, c.rounding, 1e-9, name + ": rounding of x [m]"));
+        BOOST_TEST(near(rounding.y, c.rounding, 1e-9, name + ": rounding of y [m]"));
         const double effect = peak_and_noise_effect(ProfileKind::rail, text).second;
-        check(effect >= c.least && effect <= c.most,
-              name + ": moves the peak pressure by " + std::to_string(100 * effect) + " %");
+        BOOST_TEST((effect >= c.least && effect <= c.most),
+                   name + ": moves the peak pressure by " + std::to_string(100 * effect) + " %");
       }
   }
 } // namespace
-
-int
-main()
-{
-  test_samples();
-  test_smoothing();
-  test_kinks();
-  test_mending();
-  test_contact();
-  test_noise();
-  test_coverage();
-  test_gaps();
-  return test::report();
-}

@@ -14,16 +14,14 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
 using test::columns;
+using test::near;
 using test::sampled;
 using namespace test::profile_files;
 
 namespace
 {
-  void
-  test_simpack()
+  BOOST_AUTO_TEST_CASE(test_simpack)
   {
     const Read wheel = read(
       ProfileKind::wheel,
@@ -36,8 +34,7 @@ namespace
     check_on(wheel, S1002(), -69e-3, 59e-3, 1e-6, "a second type in the spline block");
   }
 
-  void
-  test_miniprof_headers()
+  BOOST_AUTO_TEST_CASE(test_miniprof_headers)
   {
     const Read free =
       read(ProfileKind::wheel,
@@ -58,7 +55,7 @@ namespace
     for (const Point2 &p : sampled(S1002(), 0.5e-3, 0, 1))
       spaced += columns({p}) + "\n";
     const Read apart = read(ProfileKind::wheel, spaced);
-    check(!apart.tells("heading"), "points with empty lines between them are all points");
+    BOOST_TEST(!apart.tells("heading"), "points with empty lines between them are all points");
     check_on(apart, S1002(), -69e-3, 59e-3, 1e-6, "points with empty lines between them");
 
     Points rail = test::sampled_head("60E1", 28e-3);
@@ -80,14 +77,13 @@ namespace
                 "XYPoints=\"" + one_more + "\", but the file holds " + count +
                   " points, one less: read as they are",
                 "a count that is one off");
-    check(
-      read(ProfileKind::rail, with_count(std::to_string(rail.size() + 9))).error.find("it may be cut off") !=
-        std::string::npos,
+    BOOST_TEST(
+      (read(ProfileKind::rail, with_count(std::to_string(rail.size() + 9))).error.find("it may be cut off") !=
+       std::string::npos),
       "a count that is nine off is refused");
   }
 
-  void
-  test_columns()
+  BOOST_AUTO_TEST_CASE(test_columns)
   {
     std::string  text;
     unsigned int line = 0;
@@ -114,21 +110,19 @@ namespace
   }
 
   /// Line ends of CR alone: a comment ends with its line, not with the file.
-  void
-  test_line_ends()
+  BOOST_AUTO_TEST_CASE(test_line_ends)
   {
     std::string text = "# measured on track 2\nx [mm]  y [mm]\n" + columns(test::sampled_head("60E1", 28e-3));
     const Read  unix = read(ProfileKind::rail, text);
     std::replace(text.begin(), text.end(), '\n', '\r');
     const Read mac = read(ProfileKind::rail, text);
-    check(mac.error.empty() && unix.error.empty() && mac.notes == unix.notes,
-          "line ends of CR alone: told the same");
+    BOOST_TEST((mac.error.empty() && unix.error.empty() && mac.notes == unix.notes),
+               "line ends of CR alone: told the same");
     check_on(mac, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "line ends of CR alone");
   }
 
   /// Decimal commas between blanks: the same curve as with points, and it is told.
-  void
-  test_decimal_commas()
+  BOOST_AUTO_TEST_CASE(test_decimal_commas)
   {
     std::string commas = columns(test::sampled_head("60E1", 28e-3));
     std::replace(commas.begin(), commas.end(), '.', ',');
@@ -137,8 +131,7 @@ namespace
     check_on(read_commas, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "decimal commas");
   }
 
-  void
-  test_origins()
+  BOOST_AUTO_TEST_CASE(test_origins)
   {
     const std::string header = "ProgramName=x\n\n";
     const Read        back   = read(ProfileKind::wheel, header + columns(miniprof_tread()));
@@ -162,14 +155,14 @@ namespace
     for (Point2 &p : elsewhere)
       p.x += 200e-3;
     const Read lost = read(ProfileKind::wheel, header + columns(elsewhere));
-    check(lost.error.find("set Profiles/Wheel origin") != std::string::npos,
-          "an origin that cannot be found: refused");
+    BOOST_TEST((lost.error.find("set Profiles/Wheel origin") != std::string::npos),
+               "an origin that cannot be found: refused");
     const Read wrong = read(ProfileKind::wheel, header + columns(elsewhere), WheelOrigin::flange_back);
-    check(wrong.error.find("with Profiles/Wheel origin = flange back the flange tip lies at x = 145 mm, the "
-                           "running circle being 0; "
-                           "-70 mm to -35 mm is possible: write another origin, or auto") !=
-            std::string::npos,
-          "a given origin where no flange can be: refused");
+    BOOST_TEST(
+      (wrong.error.find("with Profiles/Wheel origin = flange back the flange tip lies at x = 145 mm, the "
+                        "running circle being 0; "
+                        "-70 mm to -35 mm is possible: write another origin, or auto") != std::string::npos),
+      "a given origin where no flange can be: refused");
 
     // a flange back 2 mm off its place: as given, not as found
     Points thin = miniprof_tread();
@@ -178,7 +171,7 @@ namespace
     const Read given = read(ProfileKind::wheel, header + columns(thin), WheelOrigin::flange_back);
     check_tells(given, "moved laterally by -70 mm: Profiles/Wheel origin = flange back", "an origin given");
     const double x = given.error.empty() ? given.curve.at(given.curve.parameter_end()).position.x : 0;
-    check_near(x, -68e-3, 1e-5, "an origin given: place of the flange back [m]");
+    BOOST_TEST(near(x, -68e-3, 1e-5, "an origin given: place of the flange back [m]"));
     for (Point2 &p : thin)
       p.x -= 70e-3;
     check_tells(read(ProfileKind::wheel, header + columns(thin), WheelOrigin::running_circle),
@@ -187,8 +180,7 @@ namespace
   }
 
   // Faces by their ends; a hole where wheel and rail touch is no face.
-  void
-  test_long_steps()
+  BOOST_AUTO_TEST_CASE(test_long_steps)
   {
     Points points = miniprof_tread(), faces = {{-0.02e-3, -12e-3}, {0, 0}};
     for (const Point2 &p : points)
@@ -207,8 +199,8 @@ namespace
     for (const Point2 &p : test::sampled_head("60E1", 28e-3))
       if (std::abs(p.x) > 6e-3)
         hole.push_back(p);
-    check(read(ProfileKind::rail, columns(hole)).error.find("a gap of 12") != std::string::npos,
-          "a gap of 12 mm on the crown is refused");
+    BOOST_TEST((read(ProfileKind::rail, columns(hole)).error.find("a gap of 12") != std::string::npos),
+               "a gap of 12 mm on the crown is refused");
 
     // the roller of a test rig: crown, roundings, and upright faces by their ends
     for (const double face : {12e-3, 18e-3})
@@ -236,22 +228,21 @@ namespace
             const Point2 p{x, std::sqrt(crown * crown - x * x) - crown};
             worst = std::max(worst, norm(rail.curve.at(rail.curve.closest(p)).position - p));
           }
-        check_near(worst, 0, 2e-6, "crown of the roller [m]");
+        BOOST_TEST(near(worst, 0, 2e-6, "crown of the roller [m]"));
         for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
           {
             ProfileFileOptions options;
             options.kind                  = kind;
             options.roller                = true;
             const MeasuredProfile profile = read_profile_text(columns(roller), "p.txt", options);
-            check(profile.points.size() > 100, "the same as the crown of a roller");
+            BOOST_TEST(profile.points.size() > 100, "the same as the crown of a roller");
           }
       }
   }
 
   /// What decides on the shape is the line of points, not how densely its parts were measured, and what is
   /// left out may have gaps.
-  void
-  test_spacing()
+  BOOST_AUTO_TEST_CASE(test_spacing)
   {
     for (const double depth : {25e-3, 32e-3})
       for (const double step : {0.1e-3, 1e-3, 12e-3})
@@ -268,7 +259,7 @@ namespace
               "a rim measured " + std::to_string(depth) + " m up every " + std::to_string(step);
             const Read rim = read(ProfileKind::wheel, columns(wheel));
             check_tells(rim, "more than 15 mm above the tread left out", what);
-            check(rim.tells("turned upside down") == (sign < 0), what + ": which way is up");
+            BOOST_TEST((rim.tells("turned upside down") == (sign < 0)), what + ": which way is up");
             check_on(rim, S1002(), -69e-3, 55e-3, 1e-5, what);
           }
 
@@ -293,18 +284,18 @@ namespace
     Points     turned       = sampled(S1002(), 0.5e-3, 0, 1);
     const auto read_turned  = [&]() { return read_profile_text(columns(turned), "p.txt", options).notes; };
     const std::string fault = test::error_of<InputError>([&]() { read_turned(); });
-    check(fault.find("no wheel profile") != std::string::npos,
-          "a wheel turned over by hand that hangs right");
+    BOOST_TEST((fault.find("no wheel profile") != std::string::npos),
+               "a wheel turned over by hand that hangs right");
     for (Point2 &p : turned)
       p.y = -p.y;
     const auto notes = read_turned();
-    check(std::find(notes.begin(), notes.end(), "turned upside down: Profiles/Wheel upside down = yes") !=
-            notes.end(),
-          "a wheel turned over by hand");
+    BOOST_TEST(
+      (std::find(notes.begin(), notes.end(), "turned upside down: Profiles/Wheel upside down = yes") !=
+       notes.end()),
+      "a wheel turned over by hand");
   }
 
-  void
-  test_other_bodies()
+  BOOST_AUTO_TEST_CASE(test_other_bodies)
   {
     Points narrow;
     for (const Point2 &p : test::sampled_head("54E1", 28e-3))
@@ -322,8 +313,7 @@ namespace
     check_on(one_side, rail_profile("60E1").head, -35e-3, 35e-3, 5e-6, "one side of a 60E1");
   }
 
-  void
-  test_cut_flange()
+  BOOST_AUTO_TEST_CASE(test_cut_flange)
   {
     Points points;
     for (const Point2 &p : sampled(S1002(), 0.5e-3, 0, 1))
@@ -337,29 +327,14 @@ namespace
     double lowest = 0;
     for (double t = 0; t < cut.curve.parameter_end(); t += 0.05)
       lowest = std::min(lowest, cut.curve.at(t).position.y);
-    check_near(lowest, -28e-3, 3e-3, "a flange cut off: height of the continued one [m]");
-    check_near(cut.curve.at(cut.curve.parameter_end()).position.x, -70e-3, 1e-6, "its back [m]");
+    BOOST_TEST(near(lowest, -28e-3, 3e-3, "a flange cut off: height of the continued one [m]"));
+    BOOST_TEST(near(cut.curve.at(cut.curve.parameter_end()).position.x, -70e-3, 1e-6, "its back [m]"));
 
     points.clear();
     for (const Point2 &p : sampled(S1002(), 0.5e-3, 0, 1))
       if (p.x > -50e-3 && p.y > -10e-3)
         points.push_back(p);
-    check(!read(ProfileKind::wheel, columns(points)).error.empty(), "a tread without a flange is refused");
+    BOOST_TEST(!read(ProfileKind::wheel, columns(points)).error.empty(),
+               "a tread without a flange is refused");
   }
 } // namespace
-
-int
-main()
-{
-  test_simpack();
-  test_miniprof_headers();
-  test_columns();
-  test_line_ends();
-  test_decimal_commas();
-  test_origins();
-  test_long_steps();
-  test_spacing();
-  test_other_bodies();
-  test_cut_flange();
-  return test::report();
-}

@@ -3,7 +3,7 @@
 // What a run tells about profile files: everything that is done to the points and to the curve, word by
 // word and nothing else.
 
-#include "check.h"
+#include "near.h"
 #include "profile_samples.h"
 
 #include <wheelrail/profiles/measured_profiles.h>
@@ -15,8 +15,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check_text;
 using test::columns;
+using test::same_text;
 using test::sampled;
 using test::sampled_head;
 
@@ -58,7 +58,7 @@ namespace
     options.kind            = ProfileKind::rail;
     MeasuredProfile profile = read_profile_text(text, "r.txt", options);
     measured_rail(profile, body, profile.notes);
-    check_text(lines(profile.notes), expected, what);
+    BOOST_TEST(same_text(lines(profile.notes), expected, what));
   }
 
   void
@@ -70,7 +70,7 @@ namespace
     options.kind            = ProfileKind::wheel;
     MeasuredProfile profile = read_profile_text(text, "w.txt", options);
     measured_wheel(profile, 0.135, profile.notes);
-    check_text(lines(profile.notes), expected, what);
+    BOOST_TEST(same_text(lines(profile.notes), expected, what));
   }
 
   Points
@@ -97,8 +97,7 @@ namespace
     "is the body\n";
   const std::string rest = smoothed + as_54E1 + in_place;
 
-  void
-  test_units()
+  BOOST_AUTO_TEST_CASE(test_units)
   {
     check_rail(columns(sampled_head()),
                "two columns, 231 points\n"
@@ -145,8 +144,7 @@ namespace
     return text;
   }
 
-  void
-  test_formats()
+  BOOST_AUTO_TEST_CASE(test_formats)
   {
     check_rail(with_third_column(sampled_head(), "7"),
                "two columns, 231 points\nthird column of the file left out\n"
@@ -175,8 +173,7 @@ namespace
 
   // A symmetric head that was moved, turned over and mirrored comes back to its place by what the header
   // orders.
-  void
-  test_simpack_orders()
+  BOOST_AUTO_TEST_CASE(test_simpack_orders)
   {
     Points points = sampled_head();
     points.insert(points.begin() + 1, points.front() + Point2{0, 3e-6});
@@ -208,8 +205,7 @@ namespace
       "turned and cut by the header");
   }
 
-  void
-  test_order_and_place()
+  BOOST_AUTO_TEST_CASE(test_order_and_place)
   {
     Points       points = sampled_head();
     std::mt19937 random(1);
@@ -252,8 +248,7 @@ namespace
                "a dense laser profile");
   }
 
-  void
-  test_wheels()
+  BOOST_AUTO_TEST_CASE(test_wheels)
   {
     const std::string chamfer = "kink at x = 60 mm, y = 2.7 mm kept\n";
     const std::string begin =
@@ -289,14 +284,3 @@ namespace
       "a tread with its flange and no more");
   }
 } // namespace
-
-int
-main()
-{
-  test_units();
-  test_formats();
-  test_simpack_orders();
-  test_order_and_place();
-  test_wheels();
-  return test::report();
-}

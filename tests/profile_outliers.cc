@@ -3,7 +3,7 @@
 // Outliers of measured profiles are judged against their neighbours, whatever their size; kinks of worn
 // profiles stay.
 
-#include "check.h"
+#include "near.h"
 #include "profile_samples.h"
 
 #include <wheelrail/profiles/profile_file.h>
@@ -14,9 +14,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
 using test::columns;
+using test::near;
 using test::sampled;
 
 namespace
@@ -61,8 +60,7 @@ namespace
   }
 
   /// One bad point, or two side by side, of every size, at many places.
-  void
-  test_bad_points()
+  BOOST_AUTO_TEST_CASE(test_bad_points)
   {
     for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
       {
@@ -86,8 +84,8 @@ namespace
                 worst = std::max(worst, largest_distance(profile.curve, clean));
               }
             const std::string what = name + " with bad points of " + std::to_string(1e3 * size) + " mm";
-            check_near(missed, 0, 0, what + ": places where they are kept");
-            check_near(worst, 0, 20e-6, what + ": distance from the curve without them [m]");
+            BOOST_TEST(near(missed, 0, 0, what + ": places where they are kept"));
+            BOOST_TEST(near(worst, 0, 20e-6, what + ": distance from the curve without them [m]"));
           }
       }
   }
@@ -97,14 +95,13 @@ namespace
   check_kink(const Points &points, const Point2 &kink, const double noise, const std::string &what)
   {
     const MeasuredProfile profile = read(ProfileKind::wheel, points);
-    check(!tells(profile, "outlier"), what + ": no point dropped");
-    check(tells(profile, "kept"), what + ": kept");
-    check_near(
-      distance(profile.curve, kink), 0, 0.03e-3 + 5 * noise, what + ": distance of the curve from it [m]");
+    BOOST_TEST(!tells(profile, "outlier"), what + ": no point dropped");
+    BOOST_TEST(tells(profile, "kept"), what + ": kept");
+    BOOST_TEST(near(
+      distance(profile.curve, kink), 0, 0.03e-3 + 5 * noise, what + ": distance of the curve from it [m]"));
   }
 
-  void
-  test_kinks()
+  BOOST_AUTO_TEST_CASE(test_kinks)
   {
     for (const double noise : {0., 5e-6})
       {
@@ -132,11 +129,3 @@ namespace
       }
   }
 } // namespace
-
-int
-main()
-{
-  test_bad_points();
-  test_kinks();
-  return test::report();
-}

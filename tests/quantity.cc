@@ -1,8 +1,8 @@
 // label: fast
 
 // Numbers with units: every unit, round trips, and what is refused.
-#include "check.h"
 #include "error_of.h"
+#include "near.h"
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
@@ -13,8 +13,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check_near;
-using test::check_text;
+using test::near;
+using test::same_text;
 using D = Dimension;
 
 namespace
@@ -27,8 +27,7 @@ namespace
   };
 
   /// Each value must be the very double of the right-hand side: tolerance zero.
-  void
-  test_units()
+  BOOST_AUTO_TEST_CASE(test_units)
   {
     const std::vector<Case> cases = {
       {"1.8 m", D::length, 1.8},
@@ -95,11 +94,10 @@ namespace
       {"1E-3\tm", D::length, 0.001},
     };
     for (const Case &c : cases)
-      check_near(parse_quantity(c.text, c.dimension), c.value, 0, c.text);
+      BOOST_TEST(near(parse_quantity(c.text, c.dimension), c.value, 0, c.text));
   }
 
-  void
-  test_refused()
+  BOOST_AUTO_TEST_CASE(test_refused)
   {
     struct Refused
     {
@@ -147,28 +145,26 @@ namespace
       {
         const std::string message =
           test::error_of<InputError>([&]() { parse_quantity(c.text, c.dimension); });
-        check_text(message, c.message, std::string("refused: \"") + c.text + "\"");
+        BOOST_TEST(same_text(message, c.message, std::string("refused: \"") + c.text + "\""));
       }
   }
 
-  void
-  test_format()
+  BOOST_AUTO_TEST_CASE(test_format)
   {
-    check_text(format_quantity(0.001, "mm"), "1 mm", "1 mm");
-    check_text(format_quantity(1.435, "mm"), "1435 mm", "1435 mm");
-    check_text(format_quantity(140 / 3.6, "km/h"), "140 km/h", "140 km/h");
-    check_text(format_quantity(1.15e6, "MN/m"), "1.15 MN/m", "1.15 MN/m");
-    check_text(format_quantity(210e9, "GPa"), "210 GPa", "210 GPa");
-    check_text(format_quantity(10000, "t"), "10 t", "10 t");
-    check_text(format_quantity(200000, "N"), "200000 N", "200000 N");
-    check_text(format_quantity(0.3, ""), "0.3", "0.3");
-    check_text(format_quantity(0, "mm"), "0 mm", "0 mm");
-    check_text(format_quantity(-5.5e-3, "mm"), "-5.5 mm", "-5.5 mm");
+    BOOST_TEST(same_text(format_quantity(0.001, "mm"), "1 mm", "1 mm"));
+    BOOST_TEST(same_text(format_quantity(1.435, "mm"), "1435 mm", "1435 mm"));
+    BOOST_TEST(same_text(format_quantity(140 / 3.6, "km/h"), "140 km/h", "140 km/h"));
+    BOOST_TEST(same_text(format_quantity(1.15e6, "MN/m"), "1.15 MN/m", "1.15 MN/m"));
+    BOOST_TEST(same_text(format_quantity(210e9, "GPa"), "210 GPa", "210 GPa"));
+    BOOST_TEST(same_text(format_quantity(10000, "t"), "10 t", "10 t"));
+    BOOST_TEST(same_text(format_quantity(200000, "N"), "200000 N", "200000 N"));
+    BOOST_TEST(same_text(format_quantity(0.3, ""), "0.3", "0.3"));
+    BOOST_TEST(same_text(format_quantity(0, "mm"), "0 mm", "0 mm"));
+    BOOST_TEST(same_text(format_quantity(-5.5e-3, "mm"), "-5.5 mm", "-5.5 mm"));
   }
 
   /// Any double, in any unit: the text reads back within one unit in the last place.
-  void
-  test_round_trip()
+  BOOST_AUTO_TEST_CASE(test_round_trip)
   {
     struct UnitOf
     {
@@ -194,17 +190,8 @@ namespace
             const double back  = parse_quantity(format_quantity(value, u.unit), u.dimension);
             worst              = std::max(worst, std::abs(back / value - 1));
           }
-        check_near(worst, 0, 2.3e-16, std::string("round trip in ") + (*u.unit ? u.unit : "pure numbers"));
+        BOOST_TEST(
+          near(worst, 0, 2.3e-16, std::string("round trip in ") + (*u.unit ? u.unit : "pure numbers")));
       }
   }
 } // namespace
-
-int
-main()
-{
-  test_units();
-  test_refused();
-  test_format();
-  test_round_trip();
-  return test::report();
-}

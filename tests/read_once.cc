@@ -27,8 +27,8 @@ namespace
       : queue_(inotify_init1(IN_NONBLOCK))
     {
       // closings, too: equal events in a row would be merged into one
-      test::check(queue_ >= 0 && inotify_add_watch(queue_, path.c_str(), IN_OPEN | IN_CLOSE) >= 0,
-                  "the file is watched");
+      BOOST_TEST((queue_ >= 0 && inotify_add_watch(queue_, path.c_str(), IN_OPEN | IN_CLOSE) >= 0),
+                 "the file is watched");
     }
     ~Openings()
     {
@@ -66,16 +66,15 @@ namespace
     wheel.count();
     std::ostringstream out;
     const int          code = execute(arguments, run_scene, out);
-    test::check_near(code, 0, 0, arguments[0] + ": exit code");
-    test::check_near(rail.count(), openings, 0, arguments[0] + ": the rail file is opened");
-    test::check_near(wheel.count(), openings, 0, arguments[0] + ": the wheel file is opened");
+    BOOST_TEST(test::near(code, 0, 0, arguments[0] + ": exit code"));
+    BOOST_TEST(test::near(rail.count(), openings, 0, arguments[0] + ": the rail file is opened"));
+    BOOST_TEST(test::near(wheel.count(), openings, 0, arguments[0] + ": the wheel file is opened"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(read_once, test::Parallel)
 {
-  test::Parallel parallel(argc, argv);
   fs::remove_all(folder);
   fs::create_directories(folder);
   // copies of its own: other tests may read the originals at the same time
@@ -102,6 +101,5 @@ main(int argc, char **argv)
   const Openings kept_rail(folder / "scene/profiles/rail_worn.prr"),
     kept_wheel(folder / "scene/profiles/wheel_worn.prw");
   check_command({"compare", (folder / "scene").string(), "--no-pictures"}, kept_rail, kept_wheel);
-  test::check_near(rail.count() + wheel.count(), 0, 0, "compare: the originals are not opened");
-  return parallel.report();
+  BOOST_TEST(test::near(rail.count() + wheel.count(), 0, 0, "compare: the originals are not opened"));
 }

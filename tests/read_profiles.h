@@ -1,6 +1,6 @@
 #pragma once
 
-#include "check.h"
+#include "near.h"
 #include "profile_samples.h"
 
 #include <wheelrail/base/errors.h>
@@ -57,11 +57,10 @@ namespace test::profile_files
   inline void
   check_tells(const Read &read, const std::string &part, const std::string &what)
   {
-    if (check(read.error.empty() && read.tells(part), what + ": told"))
-      return;
-    std::cout << "  expected: " << part << "\n  error: " << read.error << "\n";
+    std::string told = read.error;
     for (const std::string &note : read.notes)
-      std::cout << "  note: " << note << "\n";
+      told += "\n  note: " + note;
+    BOOST_TEST((read.error.empty() && read.tells(part)), what << ": " << part << "\n  found: " << told);
   }
 
   /// The part of the curve between two lateral places lies on the exact one.
@@ -81,8 +80,8 @@ namespace test::profile_files
           worst = std::max(worst, norm(exact.at(exact.closest(p)).position - p));
           ++count;
         }
-    check(count > 20, what + ": covers the profile");
-    check_near(worst, 0, most, what + ": distance from the profile that was measured [m]");
+    BOOST_TEST(count > 20, what + ": covers the profile");
+    BOOST_TEST(near(worst, 0, most, what + ": distance from the profile that was measured [m]"));
   }
 
   inline Curve

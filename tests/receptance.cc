@@ -46,7 +46,7 @@ namespace
             record.force.push_back(t == 0 ? 1 / record.step : 0); // of 1 N s
           }
         const Receptances found = receptances(record, 1, 20, 2000);
-        check((found.fading > 0) == (duration < 0.1), "faded where the motion is not over");
+        BOOST_TEST(((found.fading > 0) == (duration < 0.1)), "faded where the motion is not over");
         std::vector<double> mobility;
         double              worst = 0;
         for (std::size_t k = 0; k < found.frequency.size(); ++k)
@@ -57,18 +57,16 @@ namespace
               worst, std::abs(found.of_face[0][k] - exact) / std::abs(1 / (2 * ratio * mass * w0 * w0)));
             mobility.push_back(2 * M_PI * found.frequency[k] * std::abs(found.of_face[0][k]));
           }
-        check_near(worst, 0, 0.02, "receptance of a mass on a spring, largest error over its peak");
+        BOOST_TEST(near(worst, 0, 0.02, "receptance of a mass on a spring, largest error over its peak"));
         const auto peaks = resonances(found.frequency, mobility);
-        if (check(peaks.size() == 1, "one resonance"))
-          {
-            check_relative(peaks[0].frequency, 400, 0.005, "its frequency");
-            check_relative(peaks[0].loss, 2 * ratio + 2 * found.fading / w0, 0.03, "its loss factor");
-          }
+        BOOST_REQUIRE_MESSAGE(peaks.size() == 1, "one resonance");
+        BOOST_TEST(near_relative(peaks[0].frequency, 400, 0.005, "its frequency"));
+        BOOST_TEST(near_relative(peaks[0].loss, 2 * ratio + 2 * found.fading / w0, 0.03, "its loss factor"));
       }
     std::vector<double> distance, amplitude;
     for (double z = 0; z < 4; z += 0.05)
       distance.push_back(z), amplitude.push_back(std::exp(-2 * z));
-    check_relative(decay_rate(distance, amplitude), 8.686 * 2, 0.01, "decay rate of exp(-2 z/m)");
+    BOOST_TEST(near_relative(decay_rate(distance, amplitude), 8.686 * 2, 0.01, "decay rate of exp(-2 z/m)"));
   }
 
   struct Peak
@@ -129,25 +127,25 @@ namespace
       {
         const Peak        found = peak(scene, section, 0.9 * beam.frequency, 1.1 * beam.frequency);
         const std::string at    = std::to_string(int(beam.frequency)) + " Hz";
-        check_relative(found.frequency, beam.frequency, 0.03, "rigid base, resonance at " + at);
+        BOOST_TEST(near_relative(found.frequency, beam.frequency, 0.03, "rigid base, resonance at " + at));
         if (beam.frequency < 1000)
-          check_relative(found.mobility, beam.mobility, 0.15, "rigid base, mobility at " + at);
+          BOOST_TEST(near_relative(found.mobility, beam.mobility, 0.15, "rigid base, mobility at " + at));
       }
     scene.support.sleeper_mass = 162;
     const Peak found           = peak(scene, section, 80, 115);
-    check_relative(found.frequency, 95.5, 0.03, "sleepers of 162 kg on 50 MN/m: resonance");
-    check_relative(found.mobility, 4.99e-6, 0.15, "mobility");
+    BOOST_TEST(near_relative(found.frequency, 95.5, 0.03, "sleepers of 162 kg on 50 MN/m: resonance"));
+    BOOST_TEST(near_relative(found.mobility, 4.99e-6, 0.15, "mobility"));
     const TrackWaves waves(section,
                            elasticity(scene.rail_material),
                            scene.support.kind,
                            track_data(scene),
                            {rail_places(scene, section, "sleeper", false).faces[0]});
-    check_relative(waves.pinned_pinned(), 1067, 0.03, "pinned-pinned over that of the beam");
+    BOOST_TEST(near_relative(waves.pinned_pinned(), 1067, 0.03, "pinned-pinned over that of the beam"));
     // a record with two fifths of the mobility of the waves has lost 8 dB
     const double of_waves = 2 * M_PI * found.frequency * std::abs(waves.receptances(found.frequency, 0)[0]);
     const auto   cut      = most_cut({{found.frequency, 0.4 * of_waves, 0.05}}, waves, 0);
-    check_near(cut ? cut->decibel : 0, 7.96, 0.3, "a peak that a record cuts [dB]");
-    check(!most_cut({{found.frequency, of_waves, 0.05}}, waves, 0), "a whole one is not cut");
+    BOOST_TEST(near(cut ? cut->decibel : 0, 7.96, 0.3, "a peak that a record cuts [dB]"));
+    BOOST_TEST(!most_cut({{found.frequency, of_waves, 0.05}}, waves, 0), "a whole one is not cut");
   }
 
   /// A short blow on a rail on continuous pads.
@@ -160,7 +158,7 @@ namespace
     const auto       body     = make_lone_body(scene, geometry, Body::rail, MPI_COMM_WORLD);
     const RailPlaces places   = rail_places(scene, body->plan.rail, "", false);
     const BlowRecord record   = strike(scene, *body, places.faces, 8e-3, MPI_COMM_WORLD);
-    check_near(record.energy_error, 0, 2e-3, "energy error of the blow");
+    BOOST_TEST(near(record.energy_error, 0, 2e-3, "energy error of the blow"));
     const Receptances blow = receptances(record, 10, 300, 3000);
     const TrackWaves  waves(body->plan.rail,
                            elasticity(scene.rail_material),
@@ -171,9 +169,9 @@ namespace
       {
         const auto        second = waves.receptances(blow.frequency[k], blow.fading);
         const std::string at     = std::to_string(int(blow.frequency[k])) + " Hz: ";
-        check_near(
-          std::abs(blow.of_face[0][k] / second[0]), 1, 0.06, at + "receptance by elements over waves");
-        check_near(std::arg(blow.of_face[0][k] / second[0]), 0, 0.06, at + "its phase");
+        BOOST_TEST(
+          near(std::abs(blow.of_face[0][k] / second[0]), 1, 0.06, at + "receptance by elements over waves"));
+        BOOST_TEST(near(std::arg(blow.of_face[0][k] / second[0]), 0, 0.06, at + "its phase"));
       }
   }
 
@@ -185,22 +183,24 @@ namespace
     };
     Scene pads        = scene;
     pads.support.kind = RailSupport::continuous_pads;
-    check_text(
+    BOOST_TEST(same_text(
       answer(pads, "between"),
       "--at between: the scene has no sleepers; set Track/Support = sleepers, or give a place along the "
       "track, such as --at \"250 mm\"",
-      "no sleepers");
-    check_text(answer(scene, "3 m"),
-               "--at 3 m: at 3000 mm the hammer hits the rail beside the stretch from -1497 mm to 1503 mm, "
-               "where it is "
-               "not damped; take another place, a longer Track/Rail length or shorter Track/Damped ends",
-               "on a damped end");
+      "no sleepers"));
+    BOOST_TEST(
+      same_text(answer(scene, "3 m"),
+                "--at 3 m: at 3000 mm the hammer hits the rail beside the stretch from -1497 mm to 1503 mm, "
+                "where it is "
+                "not damped; take another place, a longer Track/Rail length or shorter Track/Damped ends",
+                "on a damped end"));
     const std::string unknown = answer(scene, "sleper");
-    check(unknown.rfind("--at sleper: neither sleeper nor between nor a place along the track; ", 0) == 0,
-          unknown);
-    check_near(
-      rail_places(scene, section, "sleeper", false).along, 0.3, 1e-12, "the sleeper nearest to the middle");
-    check_near(rail_places(scene, section, "between", false).along, 0, 1e-12, "the middle of a bay");
+    BOOST_TEST(
+      (unknown.rfind("--at sleper: neither sleeper nor between nor a place along the track; ", 0) == 0),
+      unknown);
+    BOOST_TEST(near(
+      rail_places(scene, section, "sleeper", false).along, 0.3, 1e-12, "the sleeper nearest to the middle"));
+    BOOST_TEST(near(rail_places(scene, section, "between", false).along, 0, 1e-12, "the middle of a bay"));
   }
   void
   messages_of_the_command()
@@ -211,39 +211,42 @@ namespace
       std::ostringstream out;
       return message_of([&]() { execute(all, RunFunction(), out); });
     };
-    check_text(answer({"--duration", "1 ms"}),
-               "--duration 1 ms: not between 5 ms and 1 s",
-               "a record that is too short");
-    check_text(answer({"--body", "wheel", "--at", "sleeper"}),
-               "--at sleeper: a wheel is struck at its contact; leave it out",
-               "a place along the track for a wheel");
-    check_text(answer({"--body", "sleeper"}),
-               "--body sleeper: not known here; rail or wheel is accepted",
-               "another body");
+    BOOST_TEST(same_text(answer({"--duration", "1 ms"}),
+                         "--duration 1 ms: not between 5 ms and 1 s",
+                         "a record that is too short"));
+    BOOST_TEST(same_text(answer({"--body", "wheel", "--at", "sleeper"}),
+                         "--at sleeper: a wheel is struck at its contact; leave it out",
+                         "a place along the track for a wheel"));
+    BOOST_TEST(same_text(answer({"--body", "sleeper"}),
+                         "--body sleeper: not known here; rail or wheel is accepted",
+                         "another body"));
     const auto beside = [](const std::string &text) {
       const std::string path = "receptance_beside.csv";
       std::ofstream(path) << text;
       return message_of([&]() { read_receptance_file(path); });
     };
-    check_text(beside("mobility [m/(N s)]\n1e-6\n"),
-               "receptance_beside.csv: no frequency; name a column \"frequency [Hz]\"",
-               "a table without frequencies");
-    check_text(beside("frequency [Hz],phase [deg]\n100,10\n"),
-               "receptance_beside.csv: nothing to draw; name a column receptance, mobility or accelerance",
-               "a table of phases");
+    BOOST_TEST(same_text(beside("mobility [m/(N s)]\n1e-6\n"),
+                         "receptance_beside.csv: no frequency; name a column \"frequency [Hz]\"",
+                         "a table without frequencies"));
+    BOOST_TEST(
+      same_text(beside("frequency [Hz],phase [deg]\n100,10\n"),
+                "receptance_beside.csv: nothing to draw; name a column receptance, mobility or accelerance",
+                "a table of phases"));
     const MotionFile known = [] {
       std::ofstream("receptance_beside.csv") << "frequency [Hz],receptance [mm/kN],phase [deg]\n100,2,90\n";
       return read_receptance_file("receptance_beside.csv");
     }();
-    check_relative(known.find(MotionQuantity::receptance)->front(), 2e-6, 1e-12, "receptance in mm/kN");
-    check_relative(known.find(MotionQuantity::phase)->front(), 0.5 * M_PI, 1e-12, "phase in degrees");
+    BOOST_TEST(
+      near_relative(known.find(MotionQuantity::receptance)->front(), 2e-6, 1e-12, "receptance in mm/kN"));
+    BOOST_TEST(
+      near_relative(known.find(MotionQuantity::phase)->front(), 0.5 * M_PI, 1e-12, "phase in degrees"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(receptance)
 {
-  Parallel parallel(argc, argv);
+  const Parallel parallel;
   known_record();
   if (parallel.rank == 0)
     messages_of_the_command();
@@ -253,5 +256,4 @@ main(int argc, char **argv)
   messages(scene, section);
   against_a_beam(scene, section);
   blow_and_waves(scene, geometry);
-  return parallel.report();
 }

@@ -2,7 +2,7 @@
 
 // Tables of tests/reference: comma-separated, comments start with #, the first line holds names.
 
-#include "check.h"
+#include "near.h"
 
 #include <filesystem>
 #include <fstream>
@@ -17,7 +17,7 @@ namespace test
   read_table(const std::string &file)
   {
     std::ifstream in(std::filesystem::path(__FILE__).parent_path() / "reference" / file);
-    check(in.good(), "tests/reference/" + file + " can be read");
+    BOOST_TEST(in.good(), "tests/reference/" + file + " can be read");
     std::vector<std::vector<std::string>> rows;
     for (std::string text; std::getline(in, text);)
       {

@@ -2,8 +2,8 @@
 
 // Rollers of test rigs as half-spaces: crowned ones against Hertz, a cylinder against the line contact,
 // crowns from files, and what faulty ones are answered.
-#include "check.h"
 #include "messages.h"
+#include "near.h"
 
 #include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/parameters.h>
@@ -22,10 +22,9 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
 using test::message_of;
+using test::near;
+using test::same_text;
 
 namespace
 {
@@ -60,8 +59,7 @@ namespace
 
   /// Equal relative radii along and across: a circle of radius (3 F R/(4 E*))^(1/3) (Hertz, 1882; Johnson,
   /// Contact mechanics, 1985, chapter 4).
-  void
-  test_crowned()
+  BOOST_AUTO_TEST_CASE(test_crowned)
   {
     Scene scene        = discs();
     scene.wheel_roller = {23.5e-3, 11.75e-3};
@@ -69,23 +67,22 @@ namespace
     const double a = std::cbrt(3 * F * R / (4 * E)), p0 = 3 * F / (2 * M_PI * a * a);
     const auto   result = solve(scene);
     const auto  &s      = result.solution;
-    check(s.converged() && !s.touches_grid_edge, "converged, off the edge of the grid");
-    check_near(s.peak_pressure / p0, 1, 5e-3, "peak pressure over that of Hertz");
-    check_near(result.measures.area / (M_PI * a * a), 1, 0.02, "area over that of Hertz");
-    check_near(s.approach / (a * a / R), 1, 5e-3, "approach over that of Hertz");
-    check_near(s.xi > 0, 1, 0, "driven by the traction coefficient");
+    BOOST_TEST((s.converged() && !s.touches_grid_edge), "converged, off the edge of the grid");
+    BOOST_TEST(near(s.peak_pressure / p0, 1, 5e-3, "peak pressure over that of Hertz"));
+    BOOST_TEST(near(result.measures.area / (M_PI * a * a), 1, 0.02, "area over that of Hertz"));
+    BOOST_TEST(near(s.approach / (a * a / R), 1, 5e-3, "approach over that of Hertz"));
+    BOOST_TEST(near(s.xi > 0, 1, 0, "driven by the traction coefficient"));
   }
 
   /// Half a millimetre of contact along 10 mm across: in the middle a line contact, p0^2 = F' E*/(pi R), with
   /// more pressure at the ends, which bounds the middle from above (Johnson 1985, section 5.4).
-  void
-  test_cylinders()
+  BOOST_AUTO_TEST_CASE(test_cylinders)
   {
     Scene        scene = discs();
     const double R = 11.75e-3, E = modulus(scene), line = scene.halfspace_normal_force / scene.roller_width;
     const double p0 = std::sqrt(line * E / (M_PI * R));
     const auto   s  = solve(scene).solution;
-    check(s.converged() && !s.touches_grid_edge, "converged, off the edge of the grid");
+    BOOST_TEST((s.converged() && !s.touches_grid_edge), "converged, off the edge of the grid");
     double middle = 0, end = 0, width = 0;
     for (int j = 0; j < s.grid.my; ++j)
       {
@@ -97,14 +94,13 @@ namespace
         if (std::abs(s.grid.y(j)) < 0.25 * scene.roller_width)
           middle = std::max(middle, most);
       }
-    check_near(width / scene.roller_width, 1, 1e-9, "the contact is as wide as the roller");
-    check_near(middle / p0, 0.99, 0.02, "pressure in the middle over that of the line contact");
-    check(end > 1.1 * middle, "the pressure rises at the ends");
+    BOOST_TEST(near(width / scene.roller_width, 1, 1e-9, "the contact is as wide as the roller"));
+    BOOST_TEST(near(middle / p0, 0.99, 0.02, "pressure in the middle over that of the line contact"));
+    BOOST_TEST(end > 1.1 * middle, "the pressure rises at the ends");
   }
 
   /// A crown of 300 mm from points is that of the entry.
-  void
-  test_file()
+  BOOST_AUTO_TEST_CASE(test_file)
   {
     std::ofstream file("crown.txt");
     for (int k = -60; k <= 60; ++k)
@@ -122,19 +118,19 @@ namespace
     scene.wheel_roller.crown     = -1;
     scene.wheel_profile          = "./crown.txt";
     const auto read              = solve(scene).solution;
-    check_near(read.peak_pressure / arc.peak_pressure, 1, 2e-3, "peak pressure of the crown in a file");
+    BOOST_TEST(near(read.peak_pressure / arc.peak_pressure, 1, 2e-3, "peak pressure of the crown in a file"));
     scene.roller_width = 40e-3;
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { solve(scene); }),
       "Profiles/Wheel: ./crown.txt: the crown reaches from -15 mm to 15 mm; Half-space/Roller width = 40 mm "
       "needs as much on both sides of 0: give a smaller width, or move the origin of the file",
-      "a crown that is too short");
+      "a crown that is too short"));
     scene.wheel_profile = "S1002";
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { solve(scene); }),
       "Half-space/Wheel roller crown = profile: Profiles/Wheel = S1002 is no file; write the name of a file "
       "with the points of the crown there",
-      "a standard profile");
+      "a standard profile"));
     std::remove("crown.txt");
   }
 
@@ -162,16 +158,15 @@ namespace
   void
   tells(const std::vector<std::string> &notes, const std::string &what)
   {
-    check(std::any_of(notes.begin(),
-                      notes.end(),
-                      [&](const std::string &note) { return note.find(what) != std::string::npos; }),
-          "a note tells: " + what);
+    BOOST_TEST(std::any_of(notes.begin(),
+                           notes.end(),
+                           [&](const std::string &note) { return note.find(what) != std::string::npos; }),
+               "a note tells: " + what);
   }
 
   /// A wheel of 10 mm across in a groove of 20 mm has the undeformed distance of one of 20 mm on a flat bar,
   /// whether y points up (two columns) or down (SIMPACK), and stays a groove.
-  void
-  test_groove_of_file()
+  BOOST_AUTO_TEST_CASE(test_groove_of_file)
   {
     Scene scene              = discs();
     scene.rail_roller.radius = 0;
@@ -185,7 +180,7 @@ namespace
       {
         std::ofstream("groove.txt") << text;
         const WheelRailSolution found = solve(scene);
-        check_near(found.solution.peak_pressure / flat, 1, 0.01, "peak pressure in a groove");
+        BOOST_TEST(near(found.solution.peak_pressure / flat, 1, 0.01, "peak pressure in a groove"));
         tells(found.notes,
               "concave crown, a groove, as the sign of its y says; change the sign for a convex one");
       }
@@ -196,8 +191,7 @@ namespace
   /// (tests/reference/contact_groove.csv): 348.7 MPa by flat half-spaces along the curved surface, 336.1 MPa
   /// with influences of curved ones; our one plane lies between and beside them within 4 %, and the verdict
   /// tells the turn of 65 degrees.
-  void
-  test_groove_in_track()
+  BOOST_AUTO_TEST_CASE(test_groove_in_track)
   {
     std::ofstream("groove.prr") << simpack(circle_points(10.05, true, true));
     std::ofstream("circle.prw") << simpack(circle_points(10, false, false));
@@ -222,13 +216,13 @@ namespace
     const SceneGeometry geometry = make_geometry(scene);
     const auto   found = solve_wheel_rail(scene, geometry, scene_load(scene, geometry), SectionOffsets());
     const double peak  = 1e-6 * found.solution.peak_pressure;
-    check_near(peak / 348.7, 1, 0.04, "peak pressure over that of flat half-spaces in a groove");
-    check_near(peak / 336.1, 1, 0.015, "over that of influences along the curve");
-    check_near(found.turn * 180 / M_PI, 65, 2, "turn of the surfaces [degrees]");
-    check_near(noise_effect(scene, geometry, 1e3).peak,
-               0,
-               0.02,
-               "exact points of arcs leave next to nothing uncertain");
+    BOOST_TEST(near(peak / 348.7, 1, 0.04, "peak pressure over that of flat half-spaces in a groove"));
+    BOOST_TEST(near(peak / 336.1, 1, 0.015, "over that of influences along the curve"));
+    BOOST_TEST(near(found.turn * 180 / M_PI, 65, 2, "turn of the surfaces [degrees]"));
+    BOOST_TEST(near(noise_effect(scene, geometry, 1e3).peak,
+                    0,
+                    0.02,
+                    "exact points of arcs leave next to nothing uncertain"));
     for (const char *what :
          {"turned upside down: in files of this format y points down",
           "a crown without sides, which half-spaces alone take: its x = 0 lies on the running circle, its "
@@ -239,64 +233,54 @@ namespace
     scene.rail_file.mirror = ProfileMirror::yes;
     tells(make_geometry(scene).notes, "mirrored, as Profiles asks");
     const std::string rail = message_of([&]() { sweep_plan(scene, geometry); });
-    check(
-      rail.find("' is a crown without sides, which half-spaces alone take (Half-space/Bodies = half-spaces): "
-                "give a head with its sides.") != std::string::npos,
+    BOOST_TEST(
+      (rail.find(
+         "' is a crown without sides, which half-spaces alone take (Half-space/Bodies = half-spaces): "
+         "give a head with its sides.") != std::string::npos),
       "no run on a groove: " + rail);
     const std::string wheel =
       message_of([&]() { make_wheel_section_outline(geometry.wheel, scene.wheel_dimensions()); });
-    check(wheel.find(
-            "' is a crown without flange, which half-spaces alone take (Half-space/Bodies = half-spaces): "
-            "give a tread with its flange.") != std::string::npos,
-          "no run of a wheel without flange: " + wheel);
+    BOOST_TEST(
+      (wheel.find(
+         "' is a crown without flange, which half-spaces alone take (Half-space/Bodies = half-spaces): "
+         "give a tread with its flange.") != std::string::npos),
+      "no run of a wheel without flange: " + wheel);
     scene.rail_file.placed = false;
-    check(!message_of([&]() { make_geometry(scene); }).empty(), "without a place it is refused");
+    BOOST_TEST(!message_of([&]() { make_geometry(scene); }).empty(), "without a place it is refused");
     // a head with its sides is placed by its origin, and keeps its body
     scene                    = Scene();
     scene.rail_profile       = WHEELRAIL_TEST_DIR "/profiles/worn_54E1.prr";
     scene.rail_file.placed   = true;
     const SceneGeometry worn = make_geometry(scene);
     tells(worn.notes, ": top to y = 0; x = 0 lies on the running circle");
-    check_near(worn.contact.rail.origin.x, 0, 1e-12, "its origin in the track");
-    check(!worn.rail.outline.segments().empty(), "with the body of its rail");
+    BOOST_TEST(near(worn.contact.rail.origin.x, 0, 1e-12, "its origin in the track"));
+    BOOST_TEST(!worn.rail.outline.segments().empty(), "with the body of its rail");
     std::remove("groove.prr");
     std::remove("circle.prw");
   }
 
-  void
-  test_messages()
+  BOOST_AUTO_TEST_CASE(test_messages)
   {
     Scene scene                  = discs();
     scene.halfspace_normal_force = 0;
-    check_text(message_of([&]() { solve(scene); }),
-               "Half-space/Normal force = auto: no wheel load presses rollers together; give the force, or "
-               "Half-space/Approach",
-               "no force");
+    BOOST_TEST(
+      same_text(message_of([&]() { solve(scene); }),
+                "Half-space/Normal force = auto: no wheel load presses rollers together; give the force, or "
+                "Half-space/Approach",
+                "no force"));
     scene                    = discs();
     scene.wheel_roller.crown = 4e-3;
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { solve(scene); }),
       "Half-space/Wheel roller crown = 4 mm: less than half of Half-space/Roller width = 10 mm; an arc over "
       "the width is needed",
-      "a crown that is no arc");
+      "a crown that is no arc"));
     scene              = discs();
     scene.wheel_roller = scene.rail_roller = {};
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { solve(scene); }),
       "Half-space/Wheel roller radius = straight: and so is Half-space/Rail roller radius; one of them must "
       "roll",
-      "two straight bodies");
+      "two straight bodies"));
   }
 } // namespace
-
-int
-main()
-{
-  test_crowned();
-  test_cylinders();
-  test_file();
-  test_groove_of_file();
-  test_groove_in_track();
-  test_messages();
-  return test::report();
-}

@@ -101,9 +101,9 @@ namespace
   {
     const auto same =
       [](const double value, const double expected, const double tolerance, const std::string &text) {
-        check_near(value / expected, 1, tolerance, text + " over that of one rank");
+        BOOST_TEST(near(value / expected, 1, tolerance, text + " over that of one rank"));
       };
-    check(run.steps == alone.steps, "as many steps as on one rank");
+    BOOST_TEST((run.steps == alone.steps), "as many steps as on one rank");
     same(run.wheel_load, alone.wheel_load, 1e-12, "wheel load");
     same(run.start.hub_displacement, alone.start.hub_displacement, 1e-5, "vertical displacement of the axle");
     same(run.start.creepage, alone.start.creepage, 1e-5, "predicted creepage");
@@ -122,23 +122,25 @@ namespace
     const Run    run  = roll(scene(), MPI_COMM_WORLD);
     const double load = run.wheel_load, wanted = 0.25 * load;
     print(run);
-    check(!run.at_border, "the patch stays inside the fine cells");
-    check_near(run.start.contact_force[1] / load, 1, 2e-5, "static start: vertical force over the weight");
-    check_near(run.begin_force[1] / load, 1, 0.01, "first ten steps: vertical force over the weight");
-    check_near(
-      run.start.contact_force[2] / wanted, 1, 0.005, "static start: longitudinal force over the wanted one");
+    BOOST_TEST(!run.at_border, "the patch stays inside the fine cells");
+    BOOST_TEST(
+      near(run.start.contact_force[1] / load, 1, 2e-5, "static start: vertical force over the weight"));
+    BOOST_TEST(near(run.begin_force[1] / load, 1, 0.01, "first ten steps: vertical force over the weight"));
+    BOOST_TEST(near(
+      run.start.contact_force[2] / wanted, 1, 0.005, "static start: longitudinal force over the wanted one"));
     // the velocities of the start are not those of the coarse cells: the first step alone has 5 % of damping
-    check_near(
-      run.begin_force[2] / wanted, 1, 0.03, "first ten steps: longitudinal force over the wanted one");
-    check_near(run.mean_force[1] / load, 1, 0.01, "mean vertical force over the weight");
-    check_near(run.spread / load, 0, 0.03, "vertical force, largest departure from the mean over the weight");
-    check_near(run.worst_energy, 0, 0.01, "energy error, largest");
-    check(run.energy["friction_dissipation"] > 0 && run.energy["viscous_dissipation"] > 0 &&
-            run.energy["contact_damping_dissipation"] >= 0,
-          "dissipation is positive");
-    check(run.creepage > 0 && run.creepage < 0.02, "driving: creepage is positive");
+    BOOST_TEST(
+      near(run.begin_force[2] / wanted, 1, 0.03, "first ten steps: longitudinal force over the wanted one"));
+    BOOST_TEST(near(run.mean_force[1] / load, 1, 0.01, "mean vertical force over the weight"));
+    BOOST_TEST(
+      near(run.spread / load, 0, 0.03, "vertical force, largest departure from the mean over the weight"));
+    BOOST_TEST(near(run.worst_energy, 0, 0.01, "energy error, largest"));
+    BOOST_TEST((run.energy["friction_dissipation"] > 0 && run.energy["viscous_dissipation"] > 0 &&
+                run.energy["contact_damping_dissipation"] >= 0),
+               "dissipation is positive");
+    BOOST_TEST((run.creepage > 0 && run.creepage < 0.02), "driving: creepage is positive");
     // with the creepage of a coarse half-space grid, 4 % would be lost
-    check_near(run.mean_force[2] / wanted, 1, 0.02, "mean longitudinal force over the wanted one");
+    BOOST_TEST(near(run.mean_force[2] / wanted, 1, 0.02, "mean longitudinal force over the wanted one"));
 
     if (size > 1)
       compare(run, roll(scene(), MPI_COMM_SELF));
@@ -153,23 +155,22 @@ namespace
     smooth.rolling_distance     = 3e-3;
     const Run run               = roll(smooth, MPI_COMM_WORLD);
     print(run);
-    check_near(run.energy["friction_dissipation"], 0, 0, "no friction: no friction work [J]");
+    BOOST_TEST(near(run.energy["friction_dissipation"], 0, 0, "no friction: no friction work [J]"));
     // the normal force leans along the track only as far as the surface does
-    check_near(
-      run.mean_force[2] / run.wheel_load, 0, 1e-3, "no friction: mean longitudinal force over the weight");
-    check_near(
-      run.mean_force[1] / run.wheel_load, 1, 0.015, "no friction: mean vertical force over the weight");
-    check_near(run.worst_energy, 0, 0.01, "no friction: energy error, largest");
-    check_near(run.creepage, 0, 1e-4, "no friction, no torque: the wheel keeps its rate");
+    BOOST_TEST(near(
+      run.mean_force[2] / run.wheel_load, 0, 1e-3, "no friction: mean longitudinal force over the weight"));
+    BOOST_TEST(
+      near(run.mean_force[1] / run.wheel_load, 1, 0.015, "no friction: mean vertical force over the weight"));
+    BOOST_TEST(near(run.worst_energy, 0, 0.01, "no friction: energy error, largest"));
+    BOOST_TEST(near(run.creepage, 0, 1e-4, "no friction, no torque: the wheel keeps its rate"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(rolling_scene)
 {
-  Parallel parallel(argc, argv);
+  const Parallel parallel;
   driving(parallel.size);
   if (parallel.size == 1)
     frictionless();
-  return parallel.report();
 }

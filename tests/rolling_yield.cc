@@ -18,8 +18,7 @@ using namespace test;
 
 namespace
 {
-  void
-  yielding()
+  BOOST_FIXTURE_TEST_CASE(yielding, test::Parallel)
   {
     Scene scene = small_scene(4e-3);
     for (MaterialData *material : {&scene.rail_material, &scene.wheel_material})
@@ -45,22 +44,14 @@ namespace
         worst_energy       = std::max(worst_energy, rolling.energy().error());
         if (n == 1)
           {
-            check_near(share, 1, 0.005, "first step: vertical force over the weight");
+            BOOST_TEST(near(share, 1, 0.005, "first step: vertical force over the weight"));
             first_plastic = rolling.energy()["plastic_work"];
           }
       }
-    check(first_plastic > 0, "the static start has done plastic work");
-    check(rolling.energy()["plastic_work"] > first_plastic, "rolling does more of it");
-    check_near(low, 1, 0.05, "smallest vertical force over the weight");
-    check_near(high, 1, 0.05, "largest vertical force over the weight");
-    check_near(worst_energy, 0, 0.01, "energy error, largest");
+    BOOST_TEST(first_plastic > 0, "the static start has done plastic work");
+    BOOST_TEST(rolling.energy()["plastic_work"] > first_plastic, "rolling does more of it");
+    BOOST_TEST(near(low, 1, 0.05, "smallest vertical force over the weight"));
+    BOOST_TEST(near(high, 1, 0.05, "largest vertical force over the weight"));
+    BOOST_TEST(near(worst_energy, 0, 0.01, "energy error, largest"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  yielding();
-  return parallel.report();
-}

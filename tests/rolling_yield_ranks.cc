@@ -45,8 +45,7 @@ namespace
     return figures;
   }
 
-  void
-  test_ranks()
+  BOOST_FIXTURE_TEST_CASE(test_ranks, test::Parallel)
   {
     Scene scene                      = small_scene(4e-3);
     scene.yaw                        = 5e-3;
@@ -56,19 +55,12 @@ namespace
     for (int i = 0; i < 3; ++i)
       {
         const std::string axis(1, "XYZ"[i]);
-        check_near(
-          together.start[i], alone.start[i], bound * 1e5, "force along " + axis + ", first step [N]");
-        check_near(together.end[i], alone.end[i], bound * 1e5, "force along " + axis + ", last step [N]");
+        BOOST_TEST(
+          near(together.start[i], alone.start[i], bound * 1e5, "force along " + axis + ", first step [N]"));
+        BOOST_TEST(
+          near(together.end[i], alone.end[i], bound * 1e5, "force along " + axis + ", last step [N]"));
       }
-    check(alone.friction > 0, "friction works");
-    check_near(together.friction, alone.friction, bound * alone.friction, "work of friction [J]");
+    BOOST_TEST(alone.friction > 0, "friction works");
+    BOOST_TEST(near(together.friction, alone.friction, bound * alone.friction, "work of friction [J]"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  test_ranks();
-  return parallel.report();
-}

@@ -2,7 +2,7 @@
 
 // Influences that are added to half-spaces row by row, against plain sums.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/halfspace/added_influence.h>
 
@@ -13,14 +13,12 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_relative;
+using test::near_relative;
 
 namespace
 {
   /// Forces on rows of smooth influence, added by FFT, against plain sums; symmetric.
-  void
-  test_added()
+  BOOST_AUTO_TEST_CASE(test_added)
   {
     HalfspaceGrid grid{7, 5, 1e-3, 1e-3, -3e-3, -2e-3};
     const double  step   = 0.5e-3;
@@ -65,22 +63,21 @@ namespace
                        kernel(i, a, j, b, lag) * grid.element_area();
         return sum;
       };
-    check_relative(
-      u[receiver], plain(receiver, source, 2, 1, 0), 1e-12, "displacement along n under traction y");
-    check_relative(slip[receiver],
-                   (plain(receiver, source, 0, 1, 0) - plain(receiver, source, 0, 1, step)) / step,
-                   1e-10,
-                   "slip along x under traction y");
+    BOOST_TEST(near_relative(
+      u[receiver], plain(receiver, source, 2, 1, 0), 1e-12, "displacement along n under traction y"));
+    BOOST_TEST(near_relative(slip[receiver],
+                             (plain(receiver, source, 0, 1, 0) - plain(receiver, source, 0, 1, step)) / step,
+                             1e-10,
+                             "slip along x under traction y"));
     std::vector<double> back(grid.size(), 0.);
     std::swap(t[source], t[receiver]);
     added.add_displacement({{nullptr, nullptr, &t}}, {{nullptr, &back, nullptr}});
-    check_relative(back[source], u[receiver], 1e-12, "influence is the same both ways");
+    BOOST_TEST(near_relative(back[source], u[receiver], 1e-12, "influence is the same both ways"));
   }
 
   /// Influences that are as smooth as those of bodies lose nothing with their short modes: against plain
   /// sums.
-  void
-  test_smooth()
+  BOOST_AUTO_TEST_CASE(test_smooth)
   {
     const HalfspaceGrid grid{80, 1, 0.25e-3, 0.25e-3, 0, 0};
     const double        step   = grid.dx;
@@ -115,17 +112,9 @@ namespace
         u_largest    = std::max(u_largest, std::abs(one));
         slip_largest = std::max(slip_largest, std::abs(two));
       }
-    check(u_off < 1e-5 * u_largest,
-          "smooth influence: displacement off by " + std::to_string(1e6 * u_off / u_largest) + "e-6");
-    check(slip_off < 1e-4 * slip_largest,
-          "and slip by " + std::to_string(1e6 * slip_off / slip_largest) + "e-6");
+    BOOST_TEST(u_off < 1e-5 * u_largest,
+               "smooth influence: displacement off by " + std::to_string(1e6 * u_off / u_largest) + "e-6");
+    BOOST_TEST(slip_off < 1e-4 * slip_largest,
+               "and slip by " + std::to_string(1e6 * slip_off / slip_largest) + "e-6");
   }
 } // namespace
-
-int
-main()
-{
-  test_added();
-  test_smooth();
-  return test::report();
-}

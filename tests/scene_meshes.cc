@@ -5,7 +5,7 @@
 #include "scenes/dynamics.h"
 #include "scenes/shapes.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <array>
 #include <cmath>
@@ -45,23 +45,23 @@ namespace
   check_mesh(const LocalMesh &mesh, const double volume, const double tolerance, const std::string &name)
   {
     const Measures all = measures(mesh, everywhere);
-    test::check_near(
-      all.volume / volume, 1, tolerance, name + ", " + std::to_string(mesh.cells.size()) + " cells: volume");
-    test::check_near(norm(all.area) / std::pow(volume, 2. / 3), 0, 1e-12, name + ": the surface is closed");
+    BOOST_TEST(test::near(
+      all.volume / volume, 1, tolerance, name + ", " + std::to_string(mesh.cells.size()) + " cells: volume"));
+    BOOST_TEST(
+      test::near(norm(all.area) / std::pow(volume, 2. / 3), 0, 1e-12, name + ": the surface is closed"));
     const Dynamics scene(mesh, Setup());
     double         mass = 0;
     for (const double m : scene.solid.mass)
       mass += m;
-    test::check_near(mass / (7900 * all.volume), 1, 1e-12, name + ": lumped mass");
-    test::check(scene.solid.quality.worst_jacobian > 0.15,
-                name + ": worst corner Jacobian " + std::to_string(scene.solid.quality.worst_jacobian));
+    BOOST_TEST(test::near(mass / (7900 * all.volume), 1, 1e-12, name + ": lumped mass"));
+    BOOST_TEST(scene.solid.quality.worst_jacobian > 0.15,
+               name + ": worst corner Jacobian " + std::to_string(scene.solid.quality.worst_jacobian));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(scene_meshes, test::Parallel)
 {
-  Program    program(argc, argv);
   const auto low = [](const Vector3 &X) { return X[0] < 1; };
   check_mesh(box({0, 0, 0}, {2, 1, 1}, {4, 3, 2}), 2, 1e-12, "box");
   // area: the faces between both levels cancel
@@ -76,9 +76,8 @@ main(int argc, char **argv)
   check_mesh(join(first, box({0, 0, 1}, {2, 1, 2}, {2, 2, 2}, Body::rail)), 4, 1e-12, "two bodies");
   const Measures inner = measures(sphere_octant(0.1, 0.2, 4, 8),
                                   [](const Vector3 &X) { return norm(X) < 0.101 && X[0] * X[1] * X[2] > 0; });
-  test::check_near(norm(inner.area) / (std::sqrt(3.) * M_PI / 4 * 0.01),
-                   1,
-                   1e-2,
-                   "inner faces of the sphere: projected area of an eighth");
-  return test::report();
+  BOOST_TEST(test::near(norm(inner.area) / (std::sqrt(3.) * M_PI / 4 * 0.01),
+                        1,
+                        1e-2,
+                        "inner faces of the sphere: projected area of an eighth"));
 }

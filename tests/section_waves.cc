@@ -7,7 +7,7 @@
 #include <wheelrail/geometry/profiles.h>
 #include <wheelrail/mesh/rail_section.h>
 
-#include "check.h"
+#include "near.h"
 
 #include <array>
 #include <cmath>
@@ -17,9 +17,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 
 namespace
 {
@@ -123,18 +122,18 @@ namespace
     for (const Speed &beam : {Speed{100, 446, 868}, Speed{1000, 1250, 1997}})
       {
         const std::string at = std::to_string(int(beam.frequency)) + " Hz: ";
-        check_relative(2 * M_PI * beam.frequency / timoshenko(beam.frequency),
-                       beam.phase,
-                       2e-3,
-                       at + "phase speed of Timoshenko's beam");
-        check_relative(2 * M_PI * beam.frequency / solid(beam.frequency),
-                       beam.phase,
-                       0.02,
-                       at + "phase speed of the section");
-        check_relative(
-          group_speed(timoshenko, beam.frequency), beam.group, 2e-3, at + "group speed of the beam");
-        check_relative(
-          group_speed(solid, beam.frequency), beam.group, 0.02, at + "group speed of the section");
+        BOOST_TEST(near_relative(2 * M_PI * beam.frequency / timoshenko(beam.frequency),
+                                 beam.phase,
+                                 2e-3,
+                                 at + "phase speed of Timoshenko's beam"));
+        BOOST_TEST(near_relative(2 * M_PI * beam.frequency / solid(beam.frequency),
+                                 beam.phase,
+                                 0.02,
+                                 at + "phase speed of the section"));
+        BOOST_TEST(near_relative(
+          group_speed(timoshenko, beam.frequency), beam.group, 2e-3, at + "group speed of the beam"));
+        BOOST_TEST(near_relative(
+          group_speed(solid, beam.frequency), beam.group, 0.02, at + "group speed of the section"));
       }
     for (const double frequency : {100., 1000., 4000.})
       for (const auto &wave : waves.waves(2 * M_PI * frequency, 1e-6))
@@ -143,11 +142,12 @@ namespace
             double nearest = 0;
             for (const double f : waves.frequencies(wave.k.real(), 8))
               nearest = std::abs(f - frequency) < std::abs(nearest - frequency) ? f : nearest;
-            check_relative(nearest,
-                           frequency,
-                           1e-4,
-                           "frequency by all displacements of the wave " + std::to_string(wave.k.real()) +
-                             "/m at " + std::to_string(int(frequency)) + " Hz");
+            BOOST_TEST(near_relative(nearest,
+                                     frequency,
+                                     1e-4,
+                                     "frequency by all displacements of the wave " +
+                                       std::to_string(wave.k.real()) + "/m at " +
+                                       std::to_string(int(frequency)) + " Hz"));
           }
   }
 
@@ -157,7 +157,8 @@ namespace
     // 50 MN/m2 below the foot, next to at rest
     const auto   standing = waves.waves(2 * M_PI * 0.5, 0, {0., 50e6, 20e6});
     const double moved    = waves.response(standing, on_foot, on_head, 0).real();
-    check_relative(moved, 1.246e-8, 0.03, "deflection of the foot on 50 MN/m2 over Timoshenko's beam");
+    BOOST_TEST(
+      near_relative(moved, 1.246e-8, 0.03, "deflection of the foot on 50 MN/m2 over Timoshenko's beam"));
     // sections stay plane and across the rail where it bends over some metres: the foot goes along by its
     // depth below the neutral axis (80.95 mm, EN 13674-1) times the slope; at 10 Hz, since much below the
     // wave along the rail drowns in rounding
@@ -167,19 +168,19 @@ namespace
       (waves.response(soft, on_foot, on_head, at + step) - waves.response(soft, on_foot, on_head, at - step))
         .real() /
       (2 * step);
-    check_relative(waves.response(soft, along_foot, on_head, at).real() / slope,
-                   80.95e-3,
-                   0.02, // shear turns sections less than the rail slopes
-                   "motion of the foot along the rail over the slope of the rail");
+    BOOST_TEST(near_relative(waves.response(soft, along_foot, on_head, at).real() / slope,
+                             80.95e-3,
+                             0.02, // shear turns sections less than the rail slopes
+                             "motion of the foot along the rail over the slope of the rail"));
     for (const double frequency : {50., 300., 1000., 3000.})
       {
         const Complex loss(1, 0.25);
         const auto    all = waves.waves(2 * M_PI * frequency, 2e-4, {0., 50e6 * loss, 20e6 * loss});
         const Complex at  = waves.response(all, on_head, on_head, 0);
-        check(at.imag() < 0, std::to_string(int(frequency)) + " Hz: the blow gives energy to the rail");
+        BOOST_TEST(at.imag() < 0, std::to_string(int(frequency)) + " Hz: the blow gives energy to the rail");
         const Complex far  = waves.response(all, on_head, on_head, 3),
                       near = waves.response(all, on_head, on_head, 1);
-        check(std::abs(far) < std::abs(near), "it dies along the rail");
+        BOOST_TEST(std::abs(far) < std::abs(near), "it dies along the rail");
       }
   }
 
@@ -197,24 +198,23 @@ namespace
         for (const auto &wave : all)
           if (std::abs(wave.k.imag()) < 1e-4 * std::abs(wave.k.real()))
             gone -= (Complex(0, -1) * wave.at[on_head] * wave.at[on_head] / wave.turn).imag();
-        check_near(-waves.response(all, on_head, on_head, 0).imag() / gone,
-                   1,
-                   1e-4,
-                   std::to_string(int(frequency)) +
-                     " Hz: power of the blow over that of the waves that travel");
+        BOOST_TEST(
+          near(-waves.response(all, on_head, on_head, 0).imag() / gone,
+               1,
+               1e-4,
+               std::to_string(int(frequency)) + " Hz: power of the blow over that of the waves that travel"));
       }
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(section_waves)
 {
   const Rail         rail;
   const SectionWaves waves(rail.matrices, rail.forces);
-  check(waves.basis() < 130,
-        std::to_string(waves.basis()) + " directions of " + std::to_string(waves.size()));
+  BOOST_TEST(waves.basis() < 130,
+             std::to_string(waves.basis()) + " directions of " + std::to_string(waves.size()));
   free_rail(waves);
   on_pads(waves);
   power(waves);
-  return test::report();
 }

@@ -16,9 +16,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 using test::surface_of;
 
 namespace
@@ -108,32 +107,30 @@ namespace
     std::sort(contacts.patches.begin(),
               contacts.patches.end(),
               [](const SectionPatch &a, const SectionPatch &b) { return a.reference[0] < b.reference[0]; });
-    check_near(
-      -1e3 * contacts.height, std::stod(rows[0][z_ws]), at[0] == 'c' ? 0.5e-3 : 0.2e-3, at + "height [mm]");
+    BOOST_TEST(near(
+      -1e3 * contacts.height, std::stod(rows[0][z_ws]), at[0] == 'c' ? 0.5e-3 : 0.2e-3, at + "height [mm]"));
     const Vector3 force = contacts.force();
-    check_near(force[2], std::stod(rows[0][FX]), 0.002 * load, at + "force along [N]");
-    check_near(-force[0], std::stod(rows[0][FY]), 0.002 * load, at + "lateral force [N]");
-    if (!check(contacts.patches.size() + 1 == rows.size(), at + "number of patches"))
-      return;
+    BOOST_TEST(near(force[2], std::stod(rows[0][FX]), 0.002 * load, at + "force along [N]"));
+    BOOST_TEST(near(-force[0], std::stod(rows[0][FY]), 0.002 * load, at + "lateral force [N]"));
+    BOOST_REQUIRE_MESSAGE(contacts.patches.size() + 1 == rows.size(), at + "number of patches");
     for (std::size_t k = 1; k < rows.size(); ++k)
       {
         const SectionPatch &p     = contacts.patches[k - 1];
         const auto         &row   = rows[k];
         const std::string   patch = at + row[part] + ": ";
-        check_near(p.normal_force(), std::stod(row[FN]), 0.003 * load, patch + "normal force [N]");
-        check_near(1e3 * p.reference[2], std::stod(row[x_track]), 0.03, patch + "ahead [mm]");
-        check_near(-1e3 * p.reference[0], std::stod(row[y_rail]), 0.03, patch + "lateral place [mm]");
-        check_near(-p.angle, std::stod(row[contact_angle]), 3e-3, patch + "contact angle");
-        check_relative(p.solution.xi, std::stod(row[CKSI]), 2e-3, patch + "creepage");
-        check_relative(-1e-3 * p.solution.phi, std::stod(row[CPHI]), 0.01, patch + "spin");
+        BOOST_TEST(near(p.normal_force(), std::stod(row[FN]), 0.003 * load, patch + "normal force [N]"));
+        BOOST_TEST(near(1e3 * p.reference[2], std::stod(row[x_track]), 0.03, patch + "ahead [mm]"));
+        BOOST_TEST(near(-1e3 * p.reference[0], std::stod(row[y_rail]), 0.03, patch + "lateral place [mm]"));
+        BOOST_TEST(near(-p.angle, std::stod(row[contact_angle]), 3e-3, patch + "contact angle"));
+        BOOST_TEST(near_relative(p.solution.xi, std::stod(row[CKSI]), 2e-3, patch + "creepage"));
+        BOOST_TEST(near_relative(-1e-3 * p.solution.phi, std::stod(row[CPHI]), 0.01, patch + "spin"));
         if (p.normal_force() > 500)
-          check_relative(
-            1e-6 * p.solution.peak_pressure, std::stod(row[pmax]), 0.01, patch + "peak pressure");
+          BOOST_TEST(near_relative(
+            1e-6 * p.solution.peak_pressure, std::stod(row[pmax]), 0.01, patch + "peak pressure"));
       }
   }
 
-  void
-  contact_rows()
+  BOOST_AUTO_TEST_CASE(contact_rows)
   {
     const WheelProfile          wheel = wheel_of_contact();
     std::map<std::string, Rows> cases;
@@ -158,14 +155,14 @@ namespace
                      load              = std::stod(rows[0][FZ]);
         const SectionContacts contacts = contacts_under_load(rails.at(file), posed, rolling, place, load);
         const std::string     at       = (crossing ? "crossing, shift " + rows[0][y_ws] : file) + ": ";
-        check(contacts.found, at + "load found");
-        check_near(-contacts.force()[1], load, 1e-4 * load, at + "vertical force [N]");
+        BOOST_TEST(contacts.found, at + "load found");
+        BOOST_TEST(near(-contacts.force()[1], load, 1e-4 * load, at + "vertical force [N]"));
         compare_patches(contacts, rows, load, at);
         if (crossing)
-          check_near(-1e3 * contacts.touching.front().height,
-                     std::stod(rows[0][first_touch]),
-                     0.5e-3,
-                     at + "height of the first touch [mm]");
+          BOOST_TEST(near(-1e3 * contacts.touching.front().height,
+                          std::stod(rows[0][first_touch]),
+                          0.5e-3,
+                          at + "height of the first touch [mm]"));
       }
     // nose and wing carry the same at a shift of 0.975 mm
     const auto difference = [&](const double shift) {
@@ -179,13 +176,12 @@ namespace
       return sum;
     };
     const double a = difference(0.973), b = difference(0.977);
-    check_near(0.973 + 0.004 * a / (a - b), 0.975, 0.002, "shift of equal loads [mm]");
+    BOOST_TEST(near(0.973 + 0.004 * a / (a - b), 0.975, 0.002, "shift of equal loads [mm]"));
   }
 
   /// The slope along the track belongs to the normal: without friction the force along the track is that of
   /// the slope.
-  void
-  slope_along()
+  BOOST_AUTO_TEST_CASE(slope_along)
   {
     SectionRolling rolling   = rolling_of_contact(0.1e-3);
     rolling.problem.friction = FrictionLaw{0};
@@ -194,16 +190,7 @@ namespace
     const PosedWheel                   wheel = posed_at(wheel_of_contact(), 0);
     const SectionContacts              nose  = contacts_under_load(rails, wheel, rolling, 0, 1e4);
     const Vector3                      force = nose.force();
-    check_near(-force[1], 1e4, 1, "vertical force on a nose of 1:10 [N]");
-    check_near(force[2] / -force[1], 0.1, 1e-3, "force on the rail along the track, of the slope 1:10");
+    BOOST_TEST(near(-force[1], 1e4, 1, "vertical force on a nose of 1:10 [N]"));
+    BOOST_TEST(near(force[2] / -force[1], 0.1, 1e-3, "force on the rail along the track, of the slope 1:10"));
   }
 } // namespace
-
-
-int
-main()
-{
-  contact_rows();
-  slope_along();
-  return test::report();
-}

@@ -1,7 +1,7 @@
 // label: fast
 
 // From where on a history stays at its final value.
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/sampling/settling.h>
 
@@ -9,11 +9,10 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(times_to_settle)
 {
   // 10 exp(-z / 10 mm) above 100, with a ripple of 3 that repeats every millimetre
   std::vector<double> distance, ripple, smooth;
@@ -25,18 +24,20 @@ main()
       ripple.push_back(smooth.back() + 3 * std::sin(2 * M_PI * z / 1e-3));
     }
   const double exact = 0.01 * std::log(10.);
-  check_near(settled_after(distance, smooth, 100, 1, 0), exact, 3e-5, "10 exp(-z/10 mm) falls below 1 [m]");
+  BOOST_TEST(
+    near(settled_after(distance, smooth, 100, 1, 0), exact, 3e-5, "10 exp(-z/10 mm) falls below 1 [m]"));
   // the mean over 2 mm behind lags by 1 mm
-  check_near(settled_after(distance, ripple, 100, 1, 2e-3),
-             exact + 1e-3,
-             2e-4,
-             "the same under a ripple of the cells [m]");
-  check(settled_after(distance, ripple, 100, 1, 0) > 0.099, "without the window the ripple never settles");
-  check(std::isinf(settled_after(distance, smooth, 105, 1, 0)), "away from the final value: infinity");
-  check(settled_after(distance, smooth, 100, 20, 0) == 0, "settled from the start");
+  BOOST_TEST(near(settled_after(distance, ripple, 100, 1, 2e-3),
+                  exact + 1e-3,
+                  2e-4,
+                  "the same under a ripple of the cells [m]"));
+  BOOST_TEST(settled_after(distance, ripple, 100, 1, 0) > 0.099,
+             "without the window the ripple never settles");
+  BOOST_TEST(std::isinf(settled_after(distance, smooth, 105, 1, 0)), "away from the final value: infinity");
+  BOOST_TEST(settled_after(distance, smooth, 100, 20, 0) == 0, "settled from the start");
   const Settling calm = settling(distance, ripple, {0.08, 1}, 100, 2e-3);
-  check_near(calm.after, exact + 1e-3, 2e-4, "a figure of 100 comes within 1 % [m]");
-  check(calm.swing < 1e-3, "and then hardly swings");
+  BOOST_TEST(near(calm.after, exact + 1e-3, 2e-4, "a figure of 100 comes within 1 % [m]"));
+  BOOST_TEST(calm.swing < 1e-3, "and then hardly swings");
   // nodes that flicker by 1 % in pieces of 4 mm to the end: noise that belongs to the figure
   std::vector<double> flicker, stick_slip;
   for (const double z : distance)
@@ -44,17 +45,17 @@ main()
       flicker.push_back(100 + 0.9 * std::sin(2 * M_PI * z / 4e-3) + (std::fmod(z, 0.031) < 2e-3 ? 0.6 : 0));
       stick_slip.push_back(2.8e-3 * (1 - std::cos(2 * M_PI * z / 20e-3)));
     }
-  check(settling(distance, flicker, {0.03, 1}, 100, 2e-3).after < 2e-3,
-        "noise to the end does not unsettle a figure");
+  BOOST_TEST((settling(distance, flicker, {0.03, 1}, 100, 2e-3).after < 2e-3),
+             "noise to the end does not unsettle a figure");
   const Settling wild = settling(distance, stick_slip, {0.06, 1}, 2.8e-3, 2e-3);
-  check(std::isinf(wild.after), "a creepage between 0 and 5.6e-3 is never steady");
-  check_near(wild.swing, 0.70, 0.02, "its swing, 1/sqrt(2) less what the window takes");
+  BOOST_TEST(std::isinf(wild.after), "a creepage between 0 and 5.6e-3 is never steady");
+  BOOST_TEST(near(wild.swing, 0.70, 0.02, "its swing, 1/sqrt(2) less what the window takes"));
   std::vector<double> leaves = smooth;
   for (std::size_t k = 0; k < leaves.size(); ++k)
     leaves[k] += distance[k] > 0.07 ? 5 : 0;
-  check(settling(distance, leaves, {0.05, 0.07}, 100, 2e-3).after < 0.05,
-        "what comes after the stretch of the means does not count");
-  check(std::isinf(settling(distance, leaves, {0.05, 0.1}, 100, 2e-3).after), "within it, it does");
+  BOOST_TEST((settling(distance, leaves, {0.05, 0.07}, 100, 2e-3).after < 0.05),
+             "what comes after the stretch of the means does not count");
+  BOOST_TEST(std::isinf(settling(distance, leaves, {0.05, 0.1}, 100, 2e-3).after), "within it, it does");
   // slope and noise are judged apart: a trend of 6.9 % over the stretch of the means, clean and under noise
   // that goes on from value to value (blocks count as independent, single values do not)
   std::vector<double> trend, noisy, flat;
@@ -69,12 +70,13 @@ main()
       flat.push_back(100 + walk);
     }
   const Settling clean = settling(distance, trend, {0.06, 0.1}, 100, 2e-3);
-  check_near(clean.drift, 0.069, 1e-4, "a linear trend of 6.9 % is found");
-  check(clean.swing < 1e-6, "and is no noise");
-  check(clean.after > 0.06, "so the figure is not steady where the means begin");
+  BOOST_TEST(near(clean.drift, 0.069, 1e-4, "a linear trend of 6.9 % is found"));
+  BOOST_TEST(clean.swing < 1e-6, "and is no noise");
+  BOOST_TEST(clean.after > 0.06, "so the figure is not steady where the means begin");
   const Settling drifts = settling(distance, noisy, {0.06, 0.1}, 100, 2e-3);
-  check_near(drifts.drift, 0.069, 4e-3, "under noise, too");
-  check_near(drifts.swing, settling(distance, flat, {0.06, 0.1}, 100, 2e-3).swing, 5e-4, "which is the same");
+  BOOST_TEST(near(drifts.drift, 0.069, 4e-3, "under noise, too"));
+  BOOST_TEST(
+    near(drifts.swing, settling(distance, flat, {0.06, 0.1}, 100, 2e-3).swing, 5e-4, "which is the same"));
   // how often 100 stretches of nothing but noise are taken for a trend: 2 errors of few blocks, one in ten or
   // so
   int mistaken = 0;
@@ -89,9 +91,8 @@ main()
         }
       mistaken += settling(distance, values, {0.06, 0.1}, 100, 2e-3).drift > 0 ? 1 : 0;
     }
-  check(mistaken <= 15, "noise is rarely taken for a trend: " + std::to_string(mistaken) + " of 100");
+  BOOST_TEST(mistaken <= 15, "noise is rarely taken for a trend: " + std::to_string(mistaken) + " of 100");
   const Mean mean = mean_over(distance, ripple, {0.09, 1});
-  check_near(mean.mean, 100, 2e-3, "mean over the last tenth");
-  check_near(mean.deviation, 3 / std::sqrt(2.), 5e-3, "deviation of the ripple");
-  return test::report();
+  BOOST_TEST(near(mean.mean, 100, 2e-3, "mean over the last tenth"));
+  BOOST_TEST(near(mean.deviation, 3 / std::sqrt(2.), 5e-3, "deviation of the ripple"));
 }

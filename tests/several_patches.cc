@@ -1,7 +1,7 @@
 // Contacts of a wheel that touches its rail in several planes: how they share load and creepage.
 
-#include "check.h"
 #include "manchester.h"
+#include "near.h"
 
 #include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/bodies/shift_effect.h>
@@ -15,8 +15,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -100,7 +99,7 @@ namespace
     one.press(load_of.force);
     one.carry(load_of);
     const auto regions = separate_regions(geometry, {}, one, -1);
-    check(regions.size() == 2, "two crowns are two regions");
+    BOOST_TEST(regions.size() == 2, "two crowns are two regions");
     const double edge = std::isfinite(regions[0].s_max) ? regions[0].s_max : regions[0].s_min;
     const double sum  = force_beyond(one.solution, edge);
     return {one,
@@ -115,12 +114,12 @@ namespace
     const Scene         scene    = crowned_scene(0);
     const SceneGeometry geometry = make_geometry(scene);
     const Both          both     = solved(scene, geometry, 0.1 * load);
-    check(both.together.others.size() == 1, "two crowns are two patches");
+    BOOST_TEST(both.together.others.size() == 1, "two crowns are two patches");
     const auto &first = both.together.solution, &second = both.together.others.at(0).solution;
-    check(first.converged() && second.converged(), "the share of equal crowns was found");
-    check_near(first.fn / load, 0.5, 1e-3, "half of the load each: first");
-    check_near(second.fn / load, 0.5, 1e-3, "half of the load each: second");
-    check_near(-(first.fx + second.fx) / load, 0.1, 2e-4, "they share what drives");
+    BOOST_TEST((first.converged() && second.converged()), "the share of equal crowns was found");
+    BOOST_TEST(near(first.fn / load, 0.5, 1e-3, "half of the load each: first"));
+    BOOST_TEST(near(second.fn / load, 0.5, 1e-3, "half of the load each: second"));
+    BOOST_TEST(near(-(first.fx + second.fx) / load, 0.1, 2e-4, "they share what drives"));
   }
 
   /// With one crown lower than the other, in one plane and in planes of their own: the same forces.
@@ -138,13 +137,13 @@ namespace
                 1e-3 * both.beyond,
                 first.xi,
                 both.one.solution.xi);
-    check_near(second.fn, both.beyond, 0.002 * load, which + "normal force of the second patch [N]");
-    check_near(first.fn,
-               both.one.solution.fn - both.beyond,
-               0.002 * load,
-               which + "normal force of the first patch [N]");
-    check_near(-first.fy - second.fy, -both.one.solution.fy, 0.01 * load, which + "lateral force [N]");
-    check_near(first.xi / both.one.solution.xi, 1, 0.02, which + "creepage over that on one grid");
+    BOOST_TEST(near(second.fn, both.beyond, 0.002 * load, which + "normal force of the second patch [N]"));
+    BOOST_TEST(near(first.fn,
+                    both.one.solution.fn - both.beyond,
+                    0.002 * load,
+                    which + "normal force of the first patch [N]"));
+    BOOST_TEST(near(-first.fy - second.fy, -both.one.solution.fy, 0.01 * load, which + "lateral force [N]"));
+    BOOST_TEST(near(first.xi / both.one.solution.xi, 1, 0.02, which + "creepage over that on one grid"));
   }
 
   /// The wheel and the rail of the Manchester benchmark near its flange root: tread and root touch in planes
@@ -159,30 +158,31 @@ namespace
     scene.halfspace_element_size     = 0.3e-3;
     const SceneGeometry     geometry = make_geometry(scene);
     const WheelRailSolution result   = solve_wheel_rail(scene, geometry, scene_load(scene, geometry), {});
-    check(result.others.size() == 1, "tread and flange root are two patches");
+    BOOST_TEST(result.others.size() == 1, "tread and flange root are two patches");
     const WheelRailSolution &root    = result.others.at(0);
     const Summary            summary = halfspace_summary(scene, result);
-    check(summary.finished, "tread and root are solved");
-    check_near(summary.vertical_force / 20e3, 1, 2e-3, "they carry the load");
-    check_near(summary.longitudinal_force / 20e3, 0.1, 2e-4, "and what drives");
-    check_near(result.solution.xi, root.solution.xi, 0, "with one creepage");
-    check(root.angle < result.angle - 0.1, "the root is steeper");
-    check(-root.solution.fx > 0 && -result.solution.fx < 0,
-          "the root, with its larger radius, drives, and the tread brakes");
+    BOOST_TEST(summary.finished, "tread and root are solved");
+    BOOST_TEST(near(summary.vertical_force / 20e3, 1, 2e-3, "they carry the load"));
+    BOOST_TEST(near(summary.longitudinal_force / 20e3, 0.1, 2e-4, "and what drives"));
+    BOOST_TEST(near(result.solution.xi, root.solution.xi, 0, "with one creepage"));
+    BOOST_TEST(root.angle < result.angle - 0.1, "the root is steeper");
+    BOOST_TEST((-root.solution.fx > 0 && -result.solution.fx < 0),
+               "the root, with its larger radius, drives, and the tread brakes");
     // the wheel goes down as one body: the approaches differ by the distance of the root at first
     const FurtherPoint &point    = geometry.contact.further.front();
     const double        lowering = result.solution.approach / std::cos(geometry.contact.frame.angle);
-    check_near(root.solution.approach,
-               lowering * std::cos(point.frame.angle) - point.gap,
-               1e-7,
-               "approach of the root [m]");
-    check_near(get_figure(summary, "patch_1_normal_force_N") + get_figure(summary, "patch_2_normal_force_N"),
-               summary.normal_force,
-               1e-6,
-               "normal forces of the summary [N]");
-    check(grade_of(summary) == Grade::with_care &&
-            summary.doubts.find("The surfaces turn by ") != std::string::npos,
-          "planes far apart: how they share the load is a matter of pose [" + summary.doubts + "]");
+    BOOST_TEST(near(root.solution.approach,
+                    lowering * std::cos(point.frame.angle) - point.gap,
+                    1e-7,
+                    "approach of the root [m]"));
+    BOOST_TEST(
+      near(get_figure(summary, "patch_1_normal_force_N") + get_figure(summary, "patch_2_normal_force_N"),
+           summary.normal_force,
+           1e-6,
+           "normal forces of the summary [N]"));
+    BOOST_TEST((grade_of(summary) == Grade::with_care &&
+                summary.doubts.find("The surfaces turn by ") != std::string::npos),
+               "planes far apart: how they share the load is a matter of pose [" + summary.doubts + "]");
   }
 
   /// Where the head's corner begins, 0.1 mm of shift decide how sharp the contact is; on the running surface
@@ -195,10 +195,10 @@ namespace
     scene.rail_profile  = "60E1";
     scene.lateral_shift = -5e-3;
     const double corner = shift_effect(scene, make_geometry(scene), 103e3);
-    check(corner > 0.5 && corner < 1, "60E1, shift -5 mm: " + std::to_string(corner));
-    check(shift_effect(scene, make_geometry(scene), 10e3) < corner, "less under a small load");
+    BOOST_TEST((corner > 0.5 && corner < 1), "60E1, shift -5 mm: " + std::to_string(corner));
+    BOOST_TEST(shift_effect(scene, make_geometry(scene), 10e3) < corner, "less under a small load");
     const double head = shift_effect(Scene(), make_geometry(Scene()), 103e3);
-    check(head > 0.05 && head < 0.15, "54E1, shift 0: " + std::to_string(head));
+    BOOST_TEST((head > 0.05 && head < 0.15), "54E1, shift 0: " + std::to_string(head));
   }
 
   /// Half-spaces under the load of a scene and held against true bodies.
@@ -219,31 +219,31 @@ namespace
   test_hold()
   {
     Scene scene;
-    check(std::abs(held(scene).bodies_effect) < 0.06 && held(scene).unheld.empty(), "the main scene is held");
+    BOOST_TEST((std::abs(held(scene).bodies_effect) < 0.06 && held(scene).unheld.empty()),
+               "the main scene is held");
     scene.yaw                     = 5e-3;
     const WheelRailSolution yawed = held(scene);
-    check_near(yawed.bodies_effect, 0.29, 0.04, "5 mrad of yaw: over the true bodies");
-    check(std::isnan(yawed.shift_effect), "and then nothing is guessed");
+    BOOST_TEST(near(yawed.bodies_effect, 0.29, 0.04, "5 mrad of yaw: over the true bodies"));
+    BOOST_TEST(std::isnan(yawed.shift_effect), "and then nothing is guessed");
     scene.yaw                      = 0;
     scene.halfspace_lateral        = 0.1e-3;
     const WheelRailSolution placed = held(scene);
-    check(placed.unheld.find("Half-space/Lateral offset = 0.1 mm: a position given by hand") == 0 &&
-            std::isnan(placed.bodies_effect) && placed.shift_effect > 0,
-          "a position by hand is not [" + placed.unheld + "]");
+    BOOST_TEST((placed.unheld.find("Half-space/Lateral offset = 0.1 mm: a position given by hand") == 0 &&
+                std::isnan(placed.bodies_effect) && placed.shift_effect > 0),
+               "a position by hand is not [" + placed.unheld + "]");
     scene.halfspace_lateral = 0;
     scene.both_wheels       = true;
     scene.pose_balances     = true;
-    check(!held(scene).unheld.empty(), "nor is the pose of half-spaces in balance");
+    BOOST_TEST(!held(scene).unheld.empty(), "nor is the pose of half-spaces in balance");
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(several_patches)
 {
   test_equal_crowns();
   test_against_one_grid(0.02, 0.1 * load);
   test_tread_and_root();
   test_shift_effect();
   test_hold();
-  return test::report();
 }

@@ -4,7 +4,7 @@
 
 #include "scenes/rolled_strip.h"
 
-#include "check.h"
+#include "parallel.h"
 #include "strip_steel.h"
 
 #include <cmath>
@@ -14,8 +14,7 @@
 
 using namespace scenes;
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -36,7 +35,7 @@ namespace
         std::cout << ' ' << 1e6 * result.back();
       }
     std::cout << " [1e-6]\n";
-    check_near(strip.scene.energy().error(), 0, 1e-3, "energy error");
+    BOOST_TEST(near(strip.scene.energy().error(), 0, 1e-3, "energy error"));
     return result;
   }
 
@@ -48,27 +47,25 @@ namespace
     strip.pass();
     const StripResidual left = strip.unload(19, 21);
     std::cout << "        residual stress up to " << left.largest / k << " k\n";
-    check(left.largest > 0.5 * k, "residual stresses are left");
-    check_near(left.other, 0, 0.02, "those that equilibrium does not admit, over the largest");
-    check_near(left.spread, 0, 0.03, "range along the strip at equal depth, over the largest");
+    BOOST_TEST(left.largest > 0.5 * k, "residual stresses are left");
+    BOOST_TEST(near(left.other, 0, 0.02, "those that equilibrium does not admit, over the largest"));
+    BOOST_TEST(near(left.spread, 0, 0.03, "range along the strip at equal depth, over the largest"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(shakedown, test::Parallel)
 {
-  Program     program(argc, argv);
   RolledStrip elastic({k, 0, 10, 24}, Setup());
   const auto  largest = elastic.largest_stresses();
-  check_near(std::sqrt(3.) / largest[0] / 3.107, 1, 0.02, "p0 at first yield over 3.107 k");
-  check_near(1 / largest[1] / 4, 1, 0.01, "p0 at which the shear stress reaches k, over 4 k");
+  BOOST_TEST(near(std::sqrt(3.) / largest[0] / 3.107, 1, 0.02, "p0 at first yield over 3.107 k"));
+  BOOST_TEST(near(1 / largest[1] / 4, 1, 0.01, "p0 at which the shear stress reaches k, over 4 k"));
   if (test::sanitized)
-    return test::report();
+    return;
 
   const auto down = growths(3.8 * k, 4), on = growths(4.2 * k, 5);
-  check(down[1] > 5e-5, "flows at 3.8 k");
-  check_near(down[3] / down[1], 0, 0.02, "and nearly no more two passes later");
-  check(on[4] > 0.4 * on[1], "flows on at 4.2 k: " + std::to_string(on[4] / on[1]));
+  BOOST_TEST(down[1] > 5e-5, "flows at 3.8 k");
+  BOOST_TEST(near(down[3] / down[1], 0, 0.02, "and nearly no more two passes later"));
+  BOOST_TEST(on[4] > 0.4 * on[1], "flows on at 4.2 k: " + std::to_string(on[4] / on[1]));
   residual();
-  return test::report();
 }

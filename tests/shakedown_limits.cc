@@ -6,7 +6,7 @@
 
 #include "scenes/rolled_strip.h"
 
-#include "check.h"
+#include "parallel.h"
 #include "strip_steel.h"
 
 #include <cmath>
@@ -18,8 +18,7 @@
 
 using namespace scenes;
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -62,7 +61,7 @@ namespace
               << 1e6 * passes.each[1].strain << ", " << 1e6 * passes.each[9].strain << ", "
               << 1e6 * passes.each[n - 1].strain << "; shear " << 1e6 * passes.each[1].shear << ", "
               << 1e6 * passes.each[9].shear << ", " << 1e6 * passes.each[n - 1].shear << std::endl;
-    check_near(strip.scene.energy().error(), 0, 1e-3, "energy error");
+    BOOST_TEST(near(strip.scene.energy().error(), 0, 1e-3, "energy error"));
     return passes;
   }
 
@@ -77,13 +76,13 @@ namespace
   void
   first_yields()
   {
-    check_near(first_yield(0, 10) / 3.107, 1, 0.02, "first yield without friction over 3.107 k");
-    check_near(first_yield(0.2, 10) / 2.936, 1, 0.02, "with full slip at 0.2, over 2.936 k");
+    BOOST_TEST(near(first_yield(0, 10) / 3.107, 1, 0.02, "first yield without friction over 3.107 k"));
+    BOOST_TEST(near(first_yield(0.2, 10) / 2.936, 1, 0.02, "with full slip at 0.2, over 2.936 k"));
     // It begins at the surface; the nearest middles of elements lie half a cell deeper, where the stresses of
     // the half-space (integrals of the load's line forces) reach yield at 2.702 k.
     const double fine = first_yield(0.3, 20);
-    check_near(fine / 2.598, 1, 0.05, "at 0.3, 20 cells, over 2.598 k");
-    check_near(fine / 2.702, 1, 0.01, "the same over that of the half-space at a/40");
+    BOOST_TEST(near(fine / 2.598, 1, 0.05, "at 0.3, 20 cells, over 2.598 k"));
+    BOOST_TEST(near(fine / 2.702, 1, 0.01, "the same over that of the half-space at a/40"));
   }
 
   /// Five per cent below and above the limit of shakedown.
@@ -93,15 +92,16 @@ namespace
     const std::string text = " the limit, full slip at " + std::to_string(traction).substr(0, 3);
     const Passes      down = roll("below", {0.95 * pressure * k, traction}, test::strip_steel(), 20),
                  on        = roll("above", {1.05 * pressure * k, traction}, test::strip_steel(), 20);
-    check(down.each[1].strain > 1e-5, "flows at first below" + text);
-    check_near(down.each[19].strain / down.each[1].strain,
-               0,
-               1e-3,
-               "the last pass below" + text + ", over the second");
-    check(down.each[19].strain < 0.1 * down.each[9].strain, "and growth has fallen tenfold since the tenth");
-    check(on.late.strain > 0.4 * on.each[1].strain,
-          "passes 10 to 20 above" + text +
-            ", over the second: " + std::to_string(on.late.strain / on.each[1].strain));
+    BOOST_TEST(down.each[1].strain > 1e-5, "flows at first below" + text);
+    BOOST_TEST(near(down.each[19].strain / down.each[1].strain,
+                    0,
+                    1e-3,
+                    "the last pass below" + text + ", over the second"));
+    BOOST_TEST(down.each[19].strain < 0.1 * down.each[9].strain,
+               "and growth has fallen tenfold since the tenth");
+    BOOST_TEST(on.late.strain > 0.4 * on.each[1].strain,
+               "passes 10 to 20 above" + text +
+                 ", over the second: " + std::to_string(on.late.strain / on.each[1].strain));
   }
 
   void
@@ -110,17 +110,17 @@ namespace
     const LineLoad load{3.6 * k, 0.2, 6};
     const Passes   perfect = roll("perfectly plastic", load, test::strip_steel(), 20),
                  kinematic = roll("kinematic, linear", load, test::strip_steel(10e9, 1), 20);
-    check_near(
-      perfect.each[19].shear / perfect.each[9].shear, 1, 0.15, "without hardening shear goes on as it does");
-    check_near(kinematic.each[19].shear / kinematic.each[1].shear,
-               0,
-               0.01,
-               "with linear kinematic hardening it ends, the last pass over the second");
+    BOOST_TEST(near(
+      perfect.each[19].shear / perfect.each[9].shear, 1, 0.15, "without hardening shear goes on as it does"));
+    BOOST_TEST(near(kinematic.each[19].shear / kinematic.each[1].shear,
+                    0,
+                    0.01,
+                    "with linear kinematic hardening it ends, the last pass over the second"));
     const Passes isotropic = roll("isotropic", {4.2 * k, 0, 6}, test::strip_steel(21e9, 0), 20);
-    check_near(isotropic.each[19].strain / isotropic.each[1].strain,
-               0,
-               1e-3,
-               "isotropic hardening ends all flow, the last pass over the second");
+    BOOST_TEST(near(isotropic.each[19].strain / isotropic.each[1].strain,
+                    0,
+                    1e-3,
+                    "isotropic hardening ends all flow, the last pass over the second"));
   }
 
   /// The rates of both elements where back stresses saturate below what the load asks for.
@@ -136,21 +136,19 @@ namespace
     const auto reduced = roll("Chaboche, reduced", {4.2 * k, 0.2}, one, 12, law);
     one.form           = ElementForm::full;
     const auto full    = roll("Chaboche, full", {4.2 * k, 0.2}, one, 12, law);
-    check(reduced.late.shear > 1e-5, "Chaboche's steel ratchets");
-    check_near(reduced.late.shear / full.late.shear, 1, 0.1, "rate of reduced over full");
-    check_near(reduced.late.strain / full.late.strain, 1, 0.1, "the same of the accumulated strain");
+    BOOST_TEST(reduced.late.shear > 1e-5, "Chaboche's steel ratchets");
+    BOOST_TEST(near(reduced.late.shear / full.late.shear, 1, 0.1, "rate of reduced over full"));
+    BOOST_TEST(near(reduced.late.strain / full.late.strain, 1, 0.1, "the same of the accumulated strain"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(shakedown_limits, test::Parallel)
 {
-  Program program(argc, argv);
   first_yields();
   limit(0, 4);
   limit(0.2, 3.202);
   limit(0.3, 2.900);
   hardening();
   elements();
-  return test::report();
 }

@@ -74,7 +74,7 @@ namespace
   Summary
   rolled(const Scene &scene)
   {
-    check(run(scene, false) == 0, scene.title + ": the run ends");
+    BOOST_TEST(run(scene, false) == 0, scene.title + ": the run ends");
     return read_summary("sliced/summary.json");
   }
 
@@ -86,9 +86,10 @@ namespace
     const Summary plain  = rolled(scene);
     scene                = short_scene("plain.slcs");
     const Summary sliced = rolled(scene);
-    check_relative(sliced.max_pressure, plain.max_pressure, 1e-6, "peak pressure of one section by slices");
-    check_relative(sliced.contact_area, plain.contact_area, 1e-6, "its contact area");
-    check_relative(sliced.vertical_force, plain.vertical_force, 1e-6, "its vertical force");
+    BOOST_TEST(
+      near_relative(sliced.max_pressure, plain.max_pressure, 1e-6, "peak pressure of one section by slices"));
+    BOOST_TEST(near_relative(sliced.contact_area, plain.contact_area, 1e-6, "its contact area"));
+    BOOST_TEST(near_relative(sliced.vertical_force, plain.vertical_force, 1e-6, "its vertical force"));
   }
 
   /// A joint with a gap of 6 mm between level rails.
@@ -105,17 +106,19 @@ namespace
     const auto    at       = [&](const std::string &name, const double place) {
       return between_rows(column(history, "rolled_distance"), column(history, name), place);
     };
-    check(summary.energy_error < 0.01, "energy error " + std::to_string(100 * summary.energy_error) + " %");
-    check_near(at("second_rail_force", 6e-3), 0, 1e-9, "the second rail before the wheel is there [N]");
-    check_near(at("first_rail_force", 55e-3), 0, 50, "the first when the wheel is off it [N]");
-    check(at("vertical_force", 55e-3) > 2e4, "the second rail carries");
+    BOOST_TEST(summary.energy_error < 0.01,
+               "energy error " + std::to_string(100 * summary.energy_error) + " %");
+    BOOST_TEST(near(at("second_rail_force", 6e-3), 0, 1e-9, "the second rail before the wheel is there [N]"));
+    BOOST_TEST(near(at("first_rail_force", 55e-3), 0, 50, "the first when the wheel is off it [N]"));
+    BOOST_TEST(at("vertical_force", 55e-3) > 2e4, "the second rail carries");
     double even = 0; // where both carry alike the axle stands over the middle of the gap, but for a cell
     for (double place = 18e-3; place < 36e-3; place += 0.05e-3)
       if (at("second_rail_force", place) < at("first_rail_force", place))
         even = place;
-    check_near(1e3 * even, 27, 2.5, "the load goes over to the second rail [mm]");
-    check(get_figure(summary, "first_rail_force_N") > 5e4 && get_figure(summary, "second_rail_force_N") > 5e4,
-          "largest forces of both rails are in the summary");
+    BOOST_TEST(near(1e3 * even, 27, 2.5, "the load goes over to the second rail [mm]"));
+    BOOST_TEST(
+      (get_figure(summary, "first_rail_force_N") > 5e4 && get_figure(summary, "second_rail_force_N") > 5e4),
+      "largest forces of both rails are in the summary");
   }
 
   /// Vertical momentum of wheel and axle, of the half step behind [N s]. The added mass of the contact moves
@@ -165,11 +168,11 @@ namespace
         worst  = std::max(worst, std::abs(now - first - impulse));
         energy = std::max(energy, std::abs(run->rolling.energy().residual()));
       }
-    check(worst < 0.01 * largest,
-          behind + ": momentum by impulse, off by " + std::to_string(worst) + " of " +
-            std::to_string(largest) + " N s");
-    check(bumped < 0.1, behind + ": the load before the impact, within " + std::to_string(bumped));
-    check(energy < 0.01 * load * 0.5e-3, behind + ": energy off by " + std::to_string(energy) + " J");
+    BOOST_TEST(worst < 0.01 * largest,
+               behind + ": momentum by impulse, off by " + std::to_string(worst) + " of " +
+                 std::to_string(largest) + " N s");
+    BOOST_TEST(bumped < 0.1, behind + ": the load before the impact, within " + std::to_string(bumped));
+    BOOST_TEST(energy < 0.01 * load * 0.5e-3, behind + ": energy off by " + std::to_string(energy) + " J");
   }
 
   /// Over a gap of 6 mm to a rail 0.5 mm lower or higher.
@@ -260,10 +263,11 @@ namespace
         const double   across  = (lattice.n_lateral - 1) * lattice.spacing_lateral;
         least                  = std::min(least, across);
         most                   = std::max(most, across);
-        check(model.solid.stable.step > model.time_step, "step on the mesh at " + std::to_string(at) + " m");
+        BOOST_TEST(model.solid.stable.step > model.time_step,
+                   "step on the mesh at " + std::to_string(at) + " m");
       }
-    check(least < 0.51 * whole, "the narrowest finest cells [m]: " + std::to_string(least));
-    check_near(most, whole, 1e-9, "the widest are the strip");
+    BOOST_TEST(least < 0.51 * whole, "the narrowest finest cells [m]: " + std::to_string(least));
+    BOOST_TEST(near(most, whole, 1e-9, "the widest are the strip"));
   }
 
   /// From the wing to the nose: the place where both carry the same. The bodies below wing and nose give
@@ -283,8 +287,9 @@ namespace
     const auto  &first = column(history, "first_rail_force"), &second = column(history, "second_rail_force");
     for (std::size_t k = 0; k < first.size(); ++k)
       both += (first[k] + second[k]) / static_cast<double>(first.size());
-    check_relative(both, load, 0.03, "wing and nose carry the load");
-    check(summary.energy_error < 0.01, "energy error " + std::to_string(100 * summary.energy_error) + " %");
+    BOOST_TEST(near_relative(both, load, 0.03, "wing and nose carry the load"));
+    BOOST_TEST(summary.energy_error < 0.01,
+               "energy error " + std::to_string(100 * summary.energy_error) + " %");
     std::vector<std::string> notes;
     const RigidCrossing      rigid(scene, notes);
     const double             before = 5e-3, behind = 127e-3, half = 0.5 * load,
@@ -303,19 +308,18 @@ namespace
       root([&](const double place) { return at("second_rail_force", place) - at("first_rail_force", place); },
            55e-3,
            115e-3);
-    check_near(1e3 * even,
-               1e3 * wanted,
-               5,
-               "the load goes over to the nose [mm], the wing gives " + std::to_string(1e6 * more) +
-                 " um more");
+    BOOST_TEST(
+      near(1e3 * even,
+           1e3 * wanted,
+           5,
+           "the load goes over to the nose [mm], the wing gives " + std::to_string(1e6 * more) + " um more"));
   }
 } // namespace
 
 
-int
-main(int argc, char **argv)
+BOOST_AUTO_TEST_CASE(sliced_rail_run)
 {
-  Parallel parallel(argc, argv);
+  const Parallel parallel;
   if (parallel.rank == 0)
     write_rails();
   MPI_Barrier(MPI_COMM_WORLD);
@@ -331,5 +335,4 @@ main(int argc, char **argv)
     }
   test_narrow_cells();
   test_crossing();
-  return parallel.report();
 }

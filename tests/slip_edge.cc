@@ -1,7 +1,7 @@
 // label: fast
 
 // The peak of the shear traction between the nodes, where stick and slip meet.
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/slip_edge.h>
@@ -11,8 +11,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -79,22 +78,22 @@ namespace
         worst              = std::max(worst, std::abs(largest_shear(patch) / exact - 1));
         worst_nodal        = std::max(worst_nodal, std::abs(largest_nodal(patch) / exact - 1));
       }
-    check_near(
-      worst, 0, tolerance, "largest relative error of the peak shear, h/a = " + std::to_string(h / a));
-    check(worst_nodal > 3 * worst, "the largest nodal value is off by " + std::to_string(worst_nodal));
+    BOOST_TEST(
+      near(worst, 0, tolerance, "largest relative error of the peak shear, h/a = " + std::to_string(h / a)));
+    BOOST_TEST(worst_nodal > 3 * worst, "the largest nodal value is off by " + std::to_string(worst_nodal));
   }
 
   void
   test_limits()
   {
     const auto all_slip = strip_patch(6e-3, 9e-3, 7e-3, 1e-3, 0.3, 0.2);
-    check_near(largest_shear(all_slip), largest_nodal(all_slip), 0, "nothing sticks: the nodal value");
+    BOOST_TEST(near(largest_shear(all_slip), largest_nodal(all_slip), 0, "nothing sticks: the nodal value"));
     const auto all_stick = strip_patch(6e-3, 9e-3, 0, 1e-3, 0.3, 0.2);
-    check_near(largest_shear(all_stick), largest_nodal(all_stick), 0, "nothing slips: the nodal value");
-    check_near(measure_patch(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)).max_traction,
-               largest_shear(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)),
-               0,
-               "the measures of a patch hold this peak");
+    BOOST_TEST(near(largest_shear(all_stick), largest_nodal(all_stick), 0, "nothing slips: the nodal value"));
+    BOOST_TEST(near(measure_patch(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)).max_traction,
+                    largest_shear(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)),
+                    0,
+                    "the measures of a patch hold this peak"));
     // the points that pages draw lie where theory has the line
     const SlipEdge edge  = slip_edge(strip_patch(6e-3, 9e-3, 1.7e-3, 0.5e-3, 0.4, 0.5));
     double         worst = 0;
@@ -102,8 +101,8 @@ namespace
     for (std::size_t k = 0; k < edge.along.size(); ++k)
       if (const double y = edge.lateral[k]; std::abs(y) < 5e-3 && ++inner)
         worst = std::max(worst, std::abs(edge.along[k] - (3.4e-3 - 6e-3 * std::sqrt(1 - y * y / 81e-6))));
-    check(inner > 15 && worst < 0.1e-3,
-          std::to_string(inner) + " points, off by " + std::to_string(1e3 * worst) + " mm");
+    BOOST_TEST((inner > 15 && worst < 0.1e-3),
+               std::to_string(inner) + " points, off by " + std::to_string(1e3 * worst) + " mm");
     // against the rolling direction
     auto         turned = strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0.4, 0.1);
     const double before = largest_shear(turned);
@@ -116,16 +115,15 @@ namespace
                         &turned.traction_lateral,
                         &turned.state})
       std::reverse(field->begin(), field->end());
-    check_near(largest_shear(turned), before, 1e-6 * before, "rolling the other way");
+    BOOST_TEST(near(largest_shear(turned), before, 1e-6 * before, "rolling the other way"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(slip_edge)
 {
   test_strips(6e-3, 9e-3, 1.7e-3, 1e-3, 0.002);
   test_strips(6e-3, 9e-3, 1.7e-3, 0.5e-3, 0.001);
   test_strips(6e-3, 9e-3, 1e-3, 1e-3, 0.005);
   test_limits();
-  return test::report();
 }

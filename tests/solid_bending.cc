@@ -3,7 +3,7 @@
 
 #include "scenes/dynamics.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ namespace
     const double kappa = 10 * (1 + m.poissons_ratio) / (12 + 11 * m.poissons_ratio);
     const double exact = force * std::pow(beam.length, 3) / (3 * m.youngs_modulus * I) +
                          force * beam.length / (kappa * m.shear_modulus() * beam.height * beam.width);
-    test::check(scene.kinetic_energy() < 1e-6 * scene.energy()["strain_energy"], "the beam has come to rest");
+    BOOST_TEST(scene.kinetic_energy() < 1e-6 * scene.energy()["strain_energy"], "the beam has come to rest");
     return {deflection / exact,
             scene.energy()["stabilisation_energy"] /
               (scene.energy()["strain_energy"] + scene.energy()["stabilisation_energy"])};
@@ -93,22 +93,22 @@ namespace
           const Beam   beam{0.1, 0.01, 0.01, 10 * through, through, through};
           const Result result = tip_deflection(setup, beam);
           std::cout << "        part of the stabilisation in the energy " << result.stabilisation << "\n";
-          test::check_near(result.deflection,
-                           1,
-                           0.03,
-                           form_name(setup) + ", nu " + std::to_string(nu).substr(0, 4) + ", " +
-                             std::to_string(through) +
-                             " cells through the beam: tip deflection over Timoshenko's");
+          BOOST_TEST(test::near(result.deflection,
+                                1,
+                                0.03,
+                                form_name(setup) + ", nu " + std::to_string(nu).substr(0, 4) + ", " +
+                                  std::to_string(through) +
+                                  " cells through the beam: tip deflection over Timoshenko's"));
         }
     // cells twenty times as long as high: parasitic shear makes the full element G/E (length of a cell /
     // height of the beam)^2 stiffer
     const Beam   flat{0.1, 0.005, 0.01, 4, 4, 2};
     const double parasitic = base.form == ElementForm::reduced ? 0 : std::pow(0.025 / 0.005, 2) / 2.6;
-    test::check_near(tip_deflection(base, flat).deflection * (1 + parasitic),
-                     1,
-                     0.03,
-                     form_name(base) + ", cells of aspect ratio 20: tip deflection over " +
-                       (parasitic > 0 ? "that of a locking beam" : "Timoshenko's"));
+    BOOST_TEST(test::near(tip_deflection(base, flat).deflection * (1 + parasitic),
+                          1,
+                          0.03,
+                          form_name(base) + ", cells of aspect ratio 20: tip deflection over " +
+                            (parasitic > 0 ? "that of a locking beam" : "Timoshenko's")));
   }
 
   /// Torque of a square bar whose ends turn in their planes and are free to warp, over Saint-Venant's
@@ -144,7 +144,7 @@ namespace
     double torque = 0;
     for (const auto &node : turned)
       torque += node.X[1] * scene.reaction(node.z) - node.X[2] * scene.reaction(node.y);
-    test::check(scene.kinetic_energy() < 1e-6 * scene.energy()["strain_energy"], "the bar has come to rest");
+    BOOST_TEST(scene.kinetic_energy() < 1e-6 * scene.energy()["strain_energy"], "the bar has come to rest");
     return torque / (0.140577 * setup.material.shear_modulus() * std::pow(a, 4) * twist / length);
   }
 
@@ -154,21 +154,20 @@ namespace
     const double two = torque(setup, 2), four = torque(setup, 4), eight = torque(setup, 8);
     std::cout << "        torque over Saint-Venant's with 2, 4, 8 cells through the bar: " << two << " "
               << four << " " << eight << "\n";
-    test::check_near(eight, 1, 0.02, form_name(setup) + ": torque with 8 cells through the bar");
-    test::check_near(std::log2((four - 1) / (eight - 1)), 2, 0.3, form_name(setup) + ": order of the torque");
+    BOOST_TEST(test::near(eight, 1, 0.02, form_name(setup) + ": torque with 8 cells through the bar"));
+    BOOST_TEST(
+      test::near(std::log2((four - 1) / (eight - 1)), 2, 0.3, form_name(setup) + ": order of the torque"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_bending, test::Parallel)
 {
-  Program program(argc, argv);
-  Setup   base;
+  Setup base;
   base.step_factor = 0.6; // thin bodies of nearly incompressible cells: beyond what the estimate covers
   for (const Setup &setup : each_form(base))
     {
       bending(setup);
       torsion(setup);
     }
-  return test::report();
 }

@@ -2,7 +2,7 @@
 
 #include "scenes/ball_impact.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <cmath>
 #include <iostream>
@@ -64,16 +64,16 @@ namespace
     const std::string name = form_name(setup) + ", rod on a wall: ";
     std::cout << "        speed after it with 200 and 400 cells: " << coarse.speed << ", " << fine.speed
               << "\n";
-    test::check_near(fine.plateau, 1, 5e-3, name + "mean plateau over rho c v");
-    test::check_near(fine.duration, 1, 1e-2, name + "duration of the contact over 2 L / c");
-    test::check_near(fine.speed, 1, 2e-2, name + "speed after it over that before");
+    BOOST_TEST(test::near(fine.plateau, 1, 5e-3, name + "mean plateau over rho c v"));
+    BOOST_TEST(test::near(fine.duration, 1, 1e-2, name + "duration of the contact over 2 L / c"));
+    BOOST_TEST(test::near(fine.speed, 1, 2e-2, name + "speed after it over that before"));
     // the bulk viscosity spreads the front like heat, over a width that grows with sqrt(h L)
     const double root = std::sqrt(2.);
-    test::check_near((root * fine.speed - coarse.speed) / (root - 1),
-                     1,
-                     5e-3,
-                     name + "the same, extrapolated with the root of the cell size");
-    test::check_near(fine.residual, 0, 1e-2, name + "energy balance");
+    BOOST_TEST(test::near((root * fine.speed - coarse.speed) / (root - 1),
+                          1,
+                          5e-3,
+                          name + "the same, extrapolated with the root of the cell size"));
+    BOOST_TEST(test::near(fine.residual, 0, 1e-2, name + "energy balance"));
   }
 
   void
@@ -87,24 +87,22 @@ namespace
     const std::string name    = form_name(setup) + ", ball on a plane: ";
     std::cout << "        " << result.cells << " cells, " << result.steps << " steps, force "
               << result.hertz_force << " N, duration " << result.hertz_duration * 1e6 << " us\n";
-    test::check_near(result.force, 1, 0.02, name + "largest force over Hertz's");
-    test::check_near(result.duration, 1, 0.02, name + "duration over Hertz's");
-    test::check_near(result.impulse, 1, 0.02, name + "impulse over 2 m v");
+    BOOST_TEST(test::near(result.force, 1, 0.02, name + "largest force over Hertz's"));
+    BOOST_TEST(test::near(result.duration, 1, 0.02, name + "duration over Hertz's"));
+    BOOST_TEST(test::near(result.impulse, 1, 0.02, name + "impulse over 2 m v"));
     if (reduced)
-      test::check(result.stabilisation < 0.01,
-                  name + "stabilisation over strain energy " + std::to_string(result.stabilisation));
-    test::check_near(result.residual, 0, 0.01, name + "energy balance");
+      BOOST_TEST(result.stabilisation < 0.01,
+                 name + "stabilisation over strain energy " + std::to_string(result.stabilisation));
+    BOOST_TEST(test::near(result.residual, 0, 0.01, name + "energy balance"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_impact, test::Parallel)
 {
-  Program program(argc, argv);
   for (const Setup &setup : each_form(Setup()))
     {
       rods(setup);
       ball(setup);
     }
-  return test::report();
 }

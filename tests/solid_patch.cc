@@ -5,7 +5,7 @@
 
 #include "scenes/dynamics.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,16 +70,16 @@ namespace
           place           = std::max(place, std::abs(scene.solid.displacement[4 * n + i] - u));
         }
     std::cout << "        " << mesh.cells.size() << " cells, " << mesh.hanging.size() << " hanging nodes\n";
-    test::check_near(spread / std::abs(stress[0][0]), 0, 1e-10, name + ": spread of the stress");
-    test::check_near(
-      place / 2e-3, 0, 1e-10, name + ": error of the nodes' places over the largest displacement");
+    BOOST_TEST(test::near(spread / std::abs(stress[0][0]), 0, 1e-10, name + ": spread of the stress"));
+    BOOST_TEST(test::near(
+      place / 2e-3, 0, 1e-10, name + ": error of the nodes' places over the largest displacement"));
     const auto &energy = scene.energy();
-    test::check_near(energy["stabilisation_energy"] / energy["strain_energy"],
-                     0,
-                     1e-20,
-                     name + ": stabilisation over strain energy");
-    test::check_near(
-      energy.residual() / energy["strain_energy"], 0, 1e-6, name + ": energy balance of the loading");
+    BOOST_TEST(test::near(energy["stabilisation_energy"] / energy["strain_energy"],
+                          0,
+                          1e-20,
+                          name + ": stabilisation over strain energy"));
+    BOOST_TEST(test::near(
+      energy.residual() / energy["strain_energy"], 0, 1e-6, name + ": energy balance of the loading"));
   }
 
   /// Ten turns of a distorted mesh with hanging nodes leave neither stress nor force.
@@ -103,16 +103,17 @@ namespace
     for (const double f : solid.force)
       force = std::max(force, std::abs(f));
     const double E = Elasticity().youngs_modulus;
-    test::check_near(
-      stress / E, 0, 1e-13, form_name(setup) + ", ten turns with hanging nodes: stress over Young's modulus");
-    test::check_near(force / E, 0, 1e-13, form_name(setup) + ", ten turns with hanging nodes: force");
+    BOOST_TEST(test::near(stress / E,
+                          0,
+                          1e-13,
+                          form_name(setup) + ", ten turns with hanging nodes: stress over Young's modulus"));
+    BOOST_TEST(test::near(force / E, 0, 1e-13, form_name(setup) + ", ten turns with hanging nodes: force"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_patch, test::Parallel)
 {
-  Program         program(argc, argv);
   const LocalMesh hanging = two_level_box(
     {0, 0, 0},
     {1, 1, 1},
@@ -125,5 +126,4 @@ main(int argc, char **argv)
       patch(setup, hanging, "hanging nodes");
       rotation(setup, hanging);
     }
-  return test::report();
 }

@@ -5,7 +5,7 @@
 
 #include "scenes/dynamics.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,16 +92,16 @@ namespace
       }
     std::cout << "        stresses " << exact.elastic_stress * 1e-6 << ", " << exact.plastic_stress * 1e-6
               << " MPa, speeds " << exact.elastic_speed << ", " << exact.plastic_speed << " m/s\n";
-    test::check_near(force / count / exact.plastic_stress, 1, 0.01, name + "force on the wall");
+    BOOST_TEST(test::near(force / count / exact.plastic_stress, 1, 0.01, name + "force on the wall"));
     if (number[1] > 0)
-      test::check_near(mean[1] / number[1], 1, 0.01, name + "stress behind the elastic front");
-    test::check_near(front[1], 1, 0.015, name + "place of the elastic front");
+      BOOST_TEST(test::near(mean[1] / number[1], 1, 0.01, name + "stress behind the elastic front"));
+    BOOST_TEST(test::near(front[1], 1, 0.015, name + "place of the elastic front"));
     if (exact.plastic_speed * end > 20 * h)
       {
-        test::check_near(mean[0] / number[0], 1, 0.01, name + "stress behind the plastic front");
-        test::check_near(front[0], 1, 0.03, name + "place of the plastic front");
+        BOOST_TEST(test::near(mean[0] / number[0], 1, 0.01, name + "stress behind the plastic front"));
+        BOOST_TEST(test::near(front[0], 1, 0.03, name + "place of the plastic front"));
       }
-    test::check_near(scene.energy().error(), 0, 0.01, name + "energy error");
+    BOOST_TEST(test::near(scene.energy().error(), 0, 0.01, name + "energy error"));
   }
 
   /// Stress of the bilinear law in one dimension at the end of a path of strains (Simo and Hughes 1998, box
@@ -167,15 +167,15 @@ namespace
       }
     const std::string name =
       form_name(setup) + ", cyclic bar, kinematic part " + std::to_string(fraction).substr(0, 3);
-    test::check_near(worst / 280e6, 0, 2e-3, name + ": largest error of the stress over the yield stress");
-    test::check_near(scene.energy().error(), 0, 0.01, name + ": energy error");
+    BOOST_TEST(
+      test::near(worst / 280e6, 0, 2e-3, name + ": largest error of the stress over the yield stress"));
+    BOOST_TEST(test::near(scene.energy().error(), 0, 0.01, name + ": energy error"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_plastic_waves, test::Parallel)
 {
-  Program program(argc, argv);
   for (Setup setup : each_form(Setup()))
     {
       const double E = setup.material.youngs_modulus;
@@ -193,5 +193,4 @@ main(int argc, char **argv)
       for (const double fraction : {0., 0.5, 1.})
         cyclic(setup, fraction);
     }
-  return test::report();
 }

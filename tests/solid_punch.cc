@@ -2,7 +2,7 @@
 
 #include "scenes/dynamics.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,10 +64,9 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_punch, test::Parallel)
 {
-  Program program(argc, argv);
   // de Souza Neto, Peric and Owen, Computational Methods for Plasticity, 2008, section 7.5.4, footing of
   // weightless soil; the density does not matter
   Setup base;
@@ -82,15 +81,16 @@ main(int argc, char **argv)
       std::cout << "        mean pressure over Prandtl's, 4 and 8 cells in half the punch: " << coarse.end
                 << ", " << fine.end << "\n";
       // the punch ends between its last node and the next: an error in proportion to the cell size
-      test::check_near(2 * fine.end - coarse.end,
-                       1,
-                       0.02,
-                       name + "limit pressure over Prandtl's, extrapolated to cells of no size");
-      test::check_near(fine.end / fine.three_quarters, 1, 0.01, name + "the pressure does not rise any more");
+      BOOST_TEST(test::near(2 * fine.end - coarse.end,
+                            1,
+                            0.02,
+                            name + "limit pressure over Prandtl's, extrapolated to cells of no size"));
+      BOOST_TEST(
+        test::near(fine.end / fine.three_quarters, 1, 0.01, name + "the pressure does not rise any more"));
     }
 
   if (test::sanitized)
-    return test::report();
+    return;
   // steel of 280 MPa yield stress pressed far beyond yield: both elements on one mesh
   Setup steel          = base;
   steel.material       = Elasticity();
@@ -100,7 +100,6 @@ main(int argc, char **argv)
   const double to_yield = (2 + M_PI) / std::sqrt(3.);
   std::cout << "        steel of 280 MPa, mean pressure over the yield stress: reduced "
             << reduced.end * to_yield << ", full " << full.end * to_yield << "\n";
-  test::check_near(
-    reduced.end / full.end, 1, 0.02, "punch on steel: pressure of reduced over that of full cells");
-  return test::report();
+  BOOST_TEST(test::near(
+    reduced.end / full.end, 1, 0.02, "punch on steel: pressure of reduced over that of full cells"));
 }

@@ -2,7 +2,7 @@
 
 #include "scenes/dynamics.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <wheelrail/solid/highest_frequency.h>
 
@@ -72,13 +72,13 @@ namespace
         Setup setup                   = base;
         setup.material.poissons_ratio = nu;
         const std::string at          = "nu " + std::to_string(nu).substr(0, 4);
-        test::check_near(excess(setup, cubes(20, 4, 4), true), 1, 1e-3, name + "endless across, " + at);
+        BOOST_TEST(test::near(excess(setup, cubes(20, 4, 4), true), 1, 1e-3, name + "endless across, " + at));
         std::cout << "        " << at << ", free: one cell " << excess(setup, cubes(1, 1, 1))
                   << ", 20 x 1 x 1 " << excess(setup, cubes(20, 1, 1)) << ", 20 x 2 x 2 "
                   << excess(setup, cubes(20, 2, 2)) << std::endl;
         const double block = excess(setup, cubes(12, 12, 12)), most = nu == 0.3 ? 1 / 0.95 : 1.2;
-        test::check(block > 1 && block < most,
-                    name + "free block of 12^3 cubes, " + at + ": " + std::to_string(block));
+        BOOST_TEST((block > 1 && block < most),
+                   name + "free block of 12^3 cubes, " + at + ": " + std::to_string(block));
       }
   }
 
@@ -93,13 +93,13 @@ namespace
         setup.bulk_viscosity          = 0;
         Dynamics scene(box({0, 0, 0}, {12e-3, 12e-3, 12e-3}, {12, 12, 12}), setup);
         lower_stable_step(scene.solid, 0, MPI_COMM_WORLD);
-        test::check(scene.solid.stable.lowered_by_edges,
-                    form_name(setup) + ", free block: the step is lowered");
-        test::check_near(scene.highest_frequency() * scene.solid.stable.step / 2,
-                         1,
-                         0.02,
-                         form_name(setup) + ", nu " + std::to_string(nu).substr(0, 4) +
-                           ", free block: highest frequency over that of the lowered step");
+        BOOST_TEST(scene.solid.stable.lowered_by_edges,
+                   form_name(setup) + ", free block: the step is lowered");
+        BOOST_TEST(test::near(scene.highest_frequency() * scene.solid.stable.step / 2,
+                              1,
+                              0.02,
+                              form_name(setup) + ", nu " + std::to_string(nu).substr(0, 4) +
+                                ", free block: highest frequency over that of the lowered step"));
       }
   }
 
@@ -113,13 +113,11 @@ namespace
         const std::string name =
           form_name(setup) + ", bulk viscosity " + std::to_string(viscosity).substr(0, 4) + ": ";
         const double below = growth(setup, 0.99, true), above = growth(setup, 1.01, true);
-        test::check(below < 3,
-                    name + "1 % below the limit the motion stays, growth " + std::to_string(below));
-        test::check(above > 1e5, name + "1 % above it the motion grows without bounds");
+        BOOST_TEST(below < 3, name + "1 % below the limit the motion stays, growth " + std::to_string(below));
+        BOOST_TEST(above > 1e5, name + "1 % above it the motion grows without bounds");
         const double used = growth(setup, 0.95, false);
-        test::check(used < 3,
-                    name + "block with free edges at the default factor 0.95, growth " +
-                      std::to_string(used));
+        BOOST_TEST(used < 3,
+                   name + "block with free edges at the default factor 0.95, growth " + std::to_string(used));
       }
   }
 
@@ -139,12 +137,12 @@ namespace
     std::cout << "        of " << start << " J: strain " << energy["strain_energy"] << ", stabilisation "
               << energy["stabilisation_energy"] << ", viscous " << energy["viscous_dissipation"]
               << ", largest residual " << worst << " J\n";
-    test::check_near(energy.error(),
-                     0,
-                     tolerance,
-                     name + ": energy error after " + std::to_string(scene.steps()) + " steps");
-    test::check_near(
-      worst / start, 0, tolerance, name + ": largest residual on the way over the energy at the start");
+    BOOST_TEST(test::near(energy.error(),
+                          0,
+                          tolerance,
+                          name + ": energy error after " + std::to_string(scene.steps()) + " steps"));
+    BOOST_TEST(test::near(
+      worst / start, 0, tolerance, name + ": largest residual on the way over the energy at the start"));
   }
 
   /// A distorted block, flying, turning and vibrating in all its modes without damping.
@@ -204,18 +202,19 @@ namespace
         largest = std::max(largest, std::abs(stretch[0][k]));
         error   = std::max(error, std::abs(stretch[1][k] - stretch[0][k]));
       }
-    test::check(way > 2.4 && largest < 3e-6 && largest > 1e-6,
-                form_name(setup) + ": way of " + std::to_string(way) + " m, stretch of " +
-                  std::to_string(1e6 * largest) + " micrometres");
-    test::check_near(
-      error / largest, 0, 1e-6, form_name(setup) + ": difference of flying and resting bar over the stretch");
+    BOOST_TEST((way > 2.4 && largest < 3e-6 && largest > 1e-6),
+               form_name(setup) + ": way of " + std::to_string(way) + " m, stretch of " +
+                 std::to_string(1e6 * largest) + " micrometres");
+    BOOST_TEST(test::near(error / largest,
+                          0,
+                          1e-6,
+                          form_name(setup) + ": difference of flying and resting bar over the stretch"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_stability, test::Parallel)
 {
-  Program program(argc, argv);
   for (const Setup &setup : each_form(Setup()))
     {
       lowered_step(setup);
@@ -226,5 +225,4 @@ main(int argc, char **argv)
       if (!test::sanitized)
         long_way(setup);
     }
-  return test::report();
 }

@@ -4,7 +4,7 @@
 #include "scenes/shapes.h"
 #include "scenes/vessel.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <cmath>
 #include <iostream>
@@ -29,25 +29,25 @@ namespace
                              std::to_string(int(1e3 * c)) + " mm: ";
     std::cout << "        " << mesh.cells.size() << " cells, pressure " << p * 1e-6 << " MPa, front "
               << 1e3 * m.front << " mm, outer displacement " << 1e6 * m.displacement << " um\n";
-    test::check_near(
-      exact.pressure(m.front) / p, 1, 0.01, name + "exact pressure of the front found over that applied");
-    test::check_near(m.displacement / exact.outer_displacement(c, setup.material),
-                     1,
-                     0.01,
-                     name + "displacement of the outer surface over the exact one");
-    test::check_near(m.radial / Y, 0, 0.02, name + "radial stress, largest error over the yield stress");
-    test::check_near(m.hoop / Y, 0, 0.02, name + "hoop stress, largest error over the yield stress");
-    test::check_near(
-      m.residual / Y, 0, 0.02, name + "residual stresses, largest error over the yield stress");
-    test::check_near(m.energy.error(), 0, 0.01, name + "energy error");
+    BOOST_TEST(test::near(
+      exact.pressure(m.front) / p, 1, 0.01, name + "exact pressure of the front found over that applied"));
+    BOOST_TEST(test::near(m.displacement / exact.outer_displacement(c, setup.material),
+                          1,
+                          0.01,
+                          name + "displacement of the outer surface over the exact one"));
+    BOOST_TEST(
+      test::near(m.radial / Y, 0, 0.02, name + "radial stress, largest error over the yield stress"));
+    BOOST_TEST(test::near(m.hoop / Y, 0, 0.02, name + "hoop stress, largest error over the yield stress"));
+    BOOST_TEST(
+      test::near(m.residual / Y, 0, 0.02, name + "residual stresses, largest error over the yield stress"));
+    BOOST_TEST(test::near(m.energy.error(), 0, 0.01, name + "energy error"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_vessels, test::Parallel)
 {
-  Program program(argc, argv);
-  Setup   base;
+  Setup base;
   base.plasticity.yield_stress = 240e6;
   for (const Setup &setup : each_form(base))
     {
@@ -57,5 +57,4 @@ main(int argc, char **argv)
       vessel(setup, 2, 16, 0.16);
       vessel(setup, 3, 16, 0.14);
     }
-  return test::report();
 }

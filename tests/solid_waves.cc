@@ -4,7 +4,7 @@
 
 #include "scenes/pulse.h"
 
-#include "check.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,9 @@ namespace
       }
     std::cout << "        errors at 40, 80, 160 cells: " << error[0] << " " << error[1] << " " << error[2]
               << "\n";
-    test::check_near(std::log2(error[1] / error[2]), 2, 0.1, bar.name() + ": order in cell size and step");
-    test::check(error[2] < 1e-3, bar.name() + ": error at 160 cells below 0.1 %");
+    BOOST_TEST(
+      test::near(std::log2(error[1] / error[2]), 2, 0.1, bar.name() + ": order in cell size and step"));
+    BOOST_TEST(error[2] < 1e-3, bar.name() + ": error at 160 cells below 0.1 %");
   }
 
   /// The step alone: against the solution of the same mesh with a small step.
@@ -58,7 +59,7 @@ namespace
           sum += std::pow(u[k] - exact[k], 2);
         error.push_back(std::sqrt(sum));
       }
-    test::check_near(std::log2(error[1] / error[2]), 2, 0.1, bar.name() + ": order in the step alone");
+    BOOST_TEST(test::near(std::log2(error[1] / error[2]), 2, 0.1, bar.name() + ": order in the step alone"));
   }
 
   /// Velocity and stress of the pulse before and at the reflection, and its speed between two places.
@@ -91,13 +92,13 @@ namespace
                                                       scene.solid.displacement.data())[bar.cells - 1][0]));
       }
     const double speed = (place[1] - place[0]) / (moment[1] / sum[1] - moment[0] / sum[0]);
-    test::check_near(
-      speed / c, 1, 2e-3, bar.name() + ": speed of the pulse over " + std::to_string(c) + " m/s");
-    test::check_near(peak / pulse.peak, 1, 2e-3, bar.name() + ": peak velocity on the way");
+    BOOST_TEST(
+      test::near(speed / c, 1, 2e-3, bar.name() + ": speed of the pulse over " + std::to_string(c) + " m/s"));
+    BOOST_TEST(test::near(peak / pulse.peak, 1, 2e-3, bar.name() + ": peak velocity on the way"));
     if (bar.end == End::free)
-      test::check_near(end_velocity / pulse.peak, 2, 5e-3, bar.name() + ": velocity doubles");
+      BOOST_TEST(test::near(end_velocity / pulse.peak, 2, 5e-3, bar.name() + ": velocity doubles"));
     else
-      test::check_near(end_stress / (rho * c * pulse.peak), 2, 5e-3, bar.name() + ": stress doubles");
+      BOOST_TEST(test::near(end_stress / (rho * c * pulse.peak), 2, 5e-3, bar.name() + ": stress doubles"));
   }
 
   /// The end starts to move with a jump: rho c v behind the front.
@@ -123,17 +124,17 @@ namespace
         if (-stress[e][0] > 0.5 * exact)
           front = x + 0.5 * bar_length / bar.cells;
       }
-    test::check_near(mean / count / exact, 1, 2e-3, bar.name() + ": mean of the plateau over rho c v");
-    test::check_near(front / (c * scene.time()), 1, 1e-2, bar.name() + ": place of the front at half height");
-    test::check(largest < 1.2 * exact,
-                bar.name() + ": overshoot at the front " + std::to_string(largest / exact - 1));
+    BOOST_TEST(test::near(mean / count / exact, 1, 2e-3, bar.name() + ": mean of the plateau over rho c v"));
+    BOOST_TEST(
+      test::near(front / (c * scene.time()), 1, 1e-2, bar.name() + ": place of the front at half height"));
+    BOOST_TEST(largest < 1.2 * exact,
+               bar.name() + ": overshoot at the front " + std::to_string(largest / exact - 1));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(solid_waves, test::Parallel)
 {
-  Program program(argc, argv);
   for (const Setup &setup : each_form(Setup()))
     for (const bool confined : {false, true})
       {
@@ -151,5 +152,4 @@ main(int argc, char **argv)
             reflection(bar);
           }
       }
-  return test::report();
 }

@@ -4,13 +4,11 @@
 #include "stable_step.h"
 #include "parallel.h"
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(stable_step, test::Parallel)
 {
-  test::Parallel parallel(argc, argv);
   test::check_step(0, 1e-3, 0.96);
   test::check_step(0, 2e-3, 0.96);
   test::check_step(3.5e-3, 2e-3, 0.96);
   test::check_step(-5.5e-3, 1e-3, 0.75);
-  return parallel.report();
 }

@@ -5,12 +5,10 @@
 #include "parallel.h"
 #include "stable_step.h"
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(stable_step_shifts, test::Parallel)
 {
-  test::Parallel parallel(argc, argv);
   test::check_step(1e-3, 1e-3, 0.87);
   test::check_step(-2e-3, 1e-3, 0.87);
   test::check_step(-3.5e-3, 1e-3, 0.75);
-  return parallel.report();
 }

@@ -52,32 +52,32 @@ namespace
     Scene               one      = scene("places");
     const SceneGeometry geometry = make_geometry(one);
     one.rolling_distance         = 40e-3;
-    check(StaggeredStarts(one, geometry).offset(2) == 0,
-          "no room on a short way: all start at the same place");
+    BOOST_TEST(StaggeredStarts(one, geometry).offset(2) == 0,
+               "no room on a short way: all start at the same place");
     one.rolling_distance = 80e-3;
     const StaggeredStarts two(one, geometry);
     const double          step = two.offset(2);
-    check(two.offset(1) == 0 && step > 15e-3 && two.offset(3) == step && two.period() == 1,
-          "all but the first start a patch farther along, which is longer than 15 mm here: " +
-            std::to_string(1e3 * step) + " mm");
+    BOOST_TEST((two.offset(1) == 0 && step > 15e-3 && two.offset(3) == step && two.period() == 1),
+               "all but the first start a patch farther along, which is longer than 15 mm here: " +
+                 std::to_string(1e3 * step) + " mm");
     one.staggered_starts = 3;
     const StaggeredStarts three(one, geometry);
-    check(three.offset(2) == step && three.offset(3) == 2 * step && three.offset(4) == step &&
-            three.period() == 2,
-          "three places: the last two in turn");
+    BOOST_TEST((three.offset(2) == step && three.offset(3) == 2 * step && three.offset(4) == step &&
+                three.period() == 2),
+               "three places: the last two in turn");
     one.window = MeshWindow::fixed;
-    check(StaggeredStarts(one, geometry).offset(2) == 0, "one where the fine cells do not move");
+    BOOST_TEST(StaggeredStarts(one, geometry).offset(2) == 0, "one where the fine cells do not move");
     one.window           = MeshWindow::moving;
     one.staggered_starts = 9;
     const std::string said =
       test::error_of<InputError>([&]() { const StaggeredStarts too_many(one, geometry); });
-    check_text(
+    BOOST_TEST(same_text(
       said,
       "Run/Staggered starts = 9: each start lies " + rounded_mm(step) +
         " farther along than the one before, and the last one leaves no stretch that all wheels have "
         "rolled over; take "
         "fewer, or a longer Run/Rolling distance and Track/Rail length",
-      "too many are refused");
+      "too many are refused"));
   }
 
   /// An irregularity of the rail stays at its place of the rail wherever the wheel starts.
@@ -91,23 +91,24 @@ namespace
     one.irregularities[0].length = 30e-3;
     one.irregularities[0].width  = 30e-3;
     one.irregularities[0].depth  = 0.1e-3;
-    check(StaggeredStarts(one, make_geometry(one)).offset(2) == 0, "all wheels meet a dent after one way");
+    BOOST_TEST(StaggeredStarts(one, make_geometry(one)).offset(2) == 0,
+               "all wheels meet a dent after one way");
     one.start_offset               = 20e-3; // no whole number of blocks
     const SceneGeometry   geometry = make_geometry(one);
     const SweepPlan       plan     = sweep_plan(one, geometry);
     const RunningSurface &rail     = geometry.surfaces.rail;
     const double          farther  = plan.start_block * plan.block_length();
-    check_near(
-      1e3 * (rail.at(0, 60e-3 - farther).n - rail.smooth(0).n), -0.1, 1e-6, "depth at its middle [mm]");
+    BOOST_TEST(
+      near(1e3 * (rail.at(0, 60e-3 - farther).n - rail.smooth(0).n), -0.1, 1e-6, "depth at its middle [mm]"));
     one.start_offset            = 0;
     one.staggered_starts        = 2;
     one.irregularities[0].place = 35e-3;
     const std::string said =
       test::error_of<InputError>([&]() { const StaggeredStarts on_it(one, make_geometry(one)); });
-    check(said.find("Run/Staggered starts = 2: a start ") == 0 &&
-            said.find("farther along: Irregularity 1/Place = 35 mm: the wheel starts on the rail") !=
-              std::string::npos,
-          "no start on a dent: " + said);
+    BOOST_TEST((said.find("Run/Staggered starts = 2: a start ") == 0 &&
+                said.find("farther along: Irregularity 1/Place = 35 mm: the wheel starts on the rail") !=
+                  std::string::npos),
+               "no start on a dent: " + said);
   }
 
   double
@@ -138,22 +139,22 @@ namespace
   test_light_wheel(const bool talks)
   {
     const Scene heavy = scene("heavy");
-    check(run(heavy, false) == 0, "a wheel that lets the rail yield");
+    BOOST_TEST(run(heavy, false) == 0, "a wheel that lets the rail yield");
     Scene light            = scene("light");
     light.wheel_load       = 65e3;
     light.rail_from        = heavy.folder;
     light.staggered_starts = 2;
     light.start_offset     = StaggeredStarts(light, make_geometry(light)).offset(2);
-    check(light.start_offset > 15e-3, "another one starts farther along");
-    check(run(light, false) == 0, "and rolls");
-    check_near(
-      figure(light, "first_force_over_load"), 1, 0.01, "vertical force of the first step over the load");
-    check_near(figure(light, "plastic_work_rail_J"), 0, 0, "nothing yields");
+    BOOST_TEST(light.start_offset > 15e-3, "another one starts farther along");
+    BOOST_TEST(run(light, false) == 0, "and rolls");
+    BOOST_TEST(near(
+      figure(light, "first_force_over_load"), 1, 0.01, "vertical force of the first step over the load"));
+    BOOST_TEST(near(figure(light, "plastic_work_rail_J"), 0, 0, "nothing yields"));
     for (const char *key : {"rail_plastic_strain",
                             "residual_lateral_stress_Pa",
                             "residual_longitudinal_stress_Pa",
                             "residual_forward_flow_m"})
-      check_relative(figure(light, key), figure(heavy, key), 1e-3, key);
+      BOOST_TEST(near_relative(figure(light, key), figure(heavy, key), 1e-3, key));
     if (!talks)
       return;
     const auto before = stress_over_place(heavy), after = stress_over_place(light);
@@ -166,18 +167,18 @@ namespace
         change  = std::max(change, same ? std::abs(stress - before.at(place)) : 0);
         varies  = std::max(varies, std::abs(stress - after.begin()->second));
       }
-    check(same && after.size() < before.size(), "the same places on the rail, fewer before them");
-    check(after.size() > 2 && varies > 1e-2 * largest, "along the rail stresses vary");
-    check_near(change / largest, 0, 1e-3, "but stay at their places: largest change over the largest stress");
+    BOOST_TEST((same && after.size() < before.size()), "the same places on the rail, fewer before them");
+    BOOST_TEST((after.size() > 2 && varies > 1e-2 * largest), "along the rail stresses vary");
+    BOOST_TEST(
+      near(change / largest, 0, 1e-3, "but stay at their places: largest change over the largest stress"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(staggered_starts)
 {
-  Parallel parallel(argc, argv);
+  const Parallel parallel;
   test_places();
   test_irregular();
   test_light_wheel(parallel.rank == 0);
-  return parallel.report();
 }

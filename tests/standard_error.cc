@@ -2,7 +2,7 @@
 
 // Standard errors of means over cells: how often the true mean lies within two of them, for noise of known
 // correlation; and means over whole cells.
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/sampling/steadiness.h>
 
@@ -12,8 +12,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -55,8 +54,7 @@ namespace
     return double(inside) / signals;
   }
 
-  void
-  test_coverage()
+  BOOST_AUTO_TEST_CASE(test_coverage)
   {
     std::mt19937 generator(1);
     struct Case
@@ -73,23 +71,23 @@ namespace
                             Case{80, 0.8, 0.95}})
       {
         const double found = coverage(one.n, one.correlation, generator);
-        check(found >= one.least,
-              std::to_string(one.n) + " cells with a correlation of " + std::to_string(one.correlation) +
-                ": two errors cover " + std::to_string(found) + ", at least " + std::to_string(one.least));
+        BOOST_TEST(found >= one.least,
+                   std::to_string(one.n) + " cells with a correlation of " + std::to_string(one.correlation) +
+                     ": two errors cover " + std::to_string(found) + ", at least " +
+                     std::to_string(one.least));
       }
     // not by errors that are too large to be of use: independent cells, whose mean is known to 1/sqrt(n)
     double sum = 0;
     for (int k = 0; k < 1000; ++k)
       sum += standard_error(noise(24, 0, generator)) / 1000;
-    check(sum * std::sqrt(24.) < 2,
-          "24 independent cells: " + std::to_string(sum * std::sqrt(24.)) +
-            " times the true standard error in the mean");
-    check(std::isinf(standard_error({1, 2, 3})), "three cells tell no error");
+    BOOST_TEST(sum * std::sqrt(24.) < 2,
+               "24 independent cells: " + std::to_string(sum * std::sqrt(24.)) +
+                 " times the true standard error in the mean");
+    BOOST_TEST(std::isinf(standard_error({1, 2, 3})), "three cells tell no error");
   }
 
   /// What repeats from cell to cell is no noise, whatever the rows.
-  void
-  test_cells()
+  BOOST_AUTO_TEST_CASE(test_cells)
   {
     std::vector<double> distance, values;
     for (double z = 0; z < 20e-3; z += 1e-3 / 17.3)
@@ -99,19 +97,11 @@ namespace
       }
     const double end   = distance.back();
     const auto   means = cell_means(distance, values, {end - 12.4e-3, end}, 1e-3);
-    check(means.size() == 12, "whole cells of a stretch of 12.4");
+    BOOST_TEST(means.size() == 12, "whole cells of a stretch of 12.4");
     for (std::size_t k = 0; k < means.size(); ++k)
-      check_near(means[k],
-                 100 + 1e3 * (end - (double(means.size() - k) - 0.5) * 1e-3),
-                 0.02,
-                 "mean over cell " + std::to_string(k));
+      BOOST_TEST(near(means[k],
+                      100 + 1e3 * (end - (double(means.size() - k) - 0.5) * 1e-3),
+                      0.02,
+                      "mean over cell " + std::to_string(k)));
   }
 } // namespace
-
-int
-main()
-{
-  test_coverage();
-  test_cells();
-  return test::report();
-}

@@ -27,15 +27,15 @@ namespace
     const Contact     contact = elliptic_contact(along, across);
     const double      N       = normal_force(contact);
     const std::string name    = "a/b = " + std::to_string(along / across).substr(0, 4) + ": ";
-    check_near(
-      N / (2. / 3 * M_PI * along * across * largest_pressure), 1, 0.01, name + "elliptic pressure is there");
+    BOOST_TEST(near(
+      N / (2. / 3 * M_PI * along * across * largest_pressure), 1, 0.01, name + "elliptic pressure is there"));
 
     const double slope = shear_modulus * along * across * C11;
     const double small = 0.02 * friction * N / slope;
     const auto   start = start_tractions_at_creepage(contact, small, steel, {velocity});
     // elements of a sixteenth of the semi-axis
-    check_near(
-      start.force / (slope * small), 1, 0.015, name + "force at small creepage over G a b C11 creepage");
+    BOOST_TEST(near(
+      start.force / (slope * small), 1, 0.015, name + "force at small creepage over G a b C11 creepage"));
 
     // Vermeulen and Johnson's curve of saturation is known to 10 % of the bound; the
     // exact theory must come as near to it
@@ -46,14 +46,14 @@ namespace
         const auto at = start_tractions_at_creepage(contact, 3 * k * friction * N / slope, steel, {velocity});
         worst         = std::max(worst, std::abs(at.force / (friction * N) - expected));
       }
-    check_near(worst, 0, 0.06, name + "largest distance from the curve of Vermeulen and Johnson");
+    BOOST_TEST(near(worst, 0, 0.06, name + "largest distance from the curve of Vermeulen and Johnson"));
 
     const auto full = start_tractions_at_creepage(contact, 0.05, steel, {velocity});
-    check_near(full.force / (friction * N), 1, 1e-3, name + "saturation at friction x normal force");
+    BOOST_TEST(near(full.force / (friction * N), 1, 1e-3, name + "saturation at friction x normal force"));
     double excess = 0;
     for (std::size_t k = 0; k < full.traction.size(); ++k)
       excess = std::max(excess, norm(full.traction[k]) - friction * contact.nodes()[k].pressure);
-    check_near(excess / largest_pressure, 0, 1e-12, name + "no traction exceeds friction x pressure");
+    BOOST_TEST(near(excess / largest_pressure, 0, 1e-12, name + "no traction exceeds friction x pressure"));
   }
 
   void
@@ -63,39 +63,39 @@ namespace
     const double bound   = friction * normal_force(contact);
     const auto   driving = start_tractions(contact, 0.5 * bound, steel, {velocity}),
                braking   = start_tractions(contact, -0.5 * bound, steel, {velocity});
-    check_near(driving.force / bound, 0.5, 1e-6, "the wanted force is met");
-    check(driving.creepage > 0 && !driving.saturated, "driving: creepage positive, not saturated");
-    check_near(braking.creepage / driving.creepage, -1, 1e-6, "braking mirrors driving");
+    BOOST_TEST(near(driving.force / bound, 0.5, 1e-6, "the wanted force is met"));
+    BOOST_TEST((driving.creepage > 0 && !driving.saturated), "driving: creepage positive, not saturated");
+    BOOST_TEST(near(braking.creepage / driving.creepage, -1, 1e-6, "braking mirrors driving"));
     double largest = 0, mirror = 0;
     for (std::size_t k = 0; k < driving.traction.size(); ++k)
       {
         largest = std::max(largest, driving.traction[k][2]);
         mirror  = std::max(mirror, std::abs(driving.traction[k][2] + braking.traction[k][2]));
       }
-    check_near(largest, 0, 0, "driving: tractions on the rail point backwards");
-    check_near(mirror / largest_pressure, 0, 1e-6, "braking: tractions mirrored");
+    BOOST_TEST(near(largest, 0, 0, "driving: tractions on the rail point backwards"));
+    BOOST_TEST(near(mirror / largest_pressure, 0, 1e-6, "braking: tractions mirrored"));
 
     // traction builds up from the leading edge, which is ahead of the axle
     const Lattice     &lattice = contact.lattice();
     const unsigned int row = lattice.n_lateral / 2, middle = lattice.n_along / 2;
     const double       ahead = driving.traction[lattice.index(middle + 16, row)][2],
                  behind      = driving.traction[lattice.index(middle - 8, row)][2];
-    check(std::abs(ahead) < std::abs(behind), "traction grows from the leading edge to the rear");
+    BOOST_TEST(std::abs(ahead) < std::abs(behind), "traction grows from the leading edge to the rear");
 
     for (std::size_t k = 0; k < driving.traction.size(); ++k)
       contact.set_traction(k, driving.traction[k]);
     const ContactSums sums = contact.evaluate(0);
-    check_near(sums.force[2] / driving.force,
-               1,
-               1e-3,
-               "the contact with these tractions drives the wheel forward by the force");
+    BOOST_TEST(near(sums.force[2] / driving.force,
+                    1,
+                    1e-3,
+                    "the contact with these tractions drives the wheel forward by the force"));
 
     const auto beyond = start_tractions(contact, 1.2 * bound, steel, {velocity});
-    check(beyond.saturated, "a force beyond the bound is flagged");
-    check_near(beyond.force / bound, 0.98, 1e-3, "and the bound less two per cent is given");
+    BOOST_TEST(beyond.saturated, "a force beyond the bound is flagged");
+    BOOST_TEST(near(beyond.force / bound, 0.98, 1e-3, "and the bound less two per cent is given"));
     const auto none = start_tractions(contact, 0, steel, {velocity});
-    check_near(none.force / bound, 0, 1e-6, "no force wanted: no force");
-    check_near(none.creepage, 0, 1e-9, "no force wanted: no creepage");
+    BOOST_TEST(near(none.force / bound, 0, 1e-6, "no force wanted: no force"));
+    BOOST_TEST(near(none.creepage, 0, 1e-9, "no force wanted: no creepage"));
   }
 
   /// A cone that rolls freely slides sideways ahead of and behind the axle: spin.
@@ -113,12 +113,13 @@ namespace
         (contact.rail().reference[k][0] > 0 ? inner : outer) += f * start.traction[k][2];
       }
     // C23 of a circle at Poisson's ratio 0.3 is 1.5 (Kalker 1990, table E.3)
-    check_near(lateral / (1.5 * shear_modulus * std::pow(a, 3) * rate),
-               1,
-               0.1,
-               "spin: lateral force on the wheel over G (ab)^1.5 C23 spin");
-    check(inner > 0 && outer < 0, "spin: the smaller radius drags the rail forward, the larger one backward");
-    check_near(start.creepage, 0, 1e-4, "spin: no creepage without force");
+    BOOST_TEST(near(lateral / (1.5 * shear_modulus * std::pow(a, 3) * rate),
+                    1,
+                    0.1,
+                    "spin: lateral force on the wheel over G (ab)^1.5 C23 spin"));
+    BOOST_TEST((inner > 0 && outer < 0),
+               "spin: the smaller radius drags the rail forward, the larger one backward");
+    BOOST_TEST(near(start.creepage, 0, 1e-4, "spin: no creepage without force"));
   }
 
   /// Two patches on the sides of a ridge, in planes of their own: each has the tractions that it would have
@@ -130,29 +131,32 @@ namespace
     const Contact    one = elliptic_contact(a, b, side),
                   both   = elliptic_contact(a, b, 0, {friction}, {side, 8e-3});
     const double bound   = friction * normal_force(both);
-    check_near(bound / (2 * friction * normal_force(one)), 1, 2e-3, "ridge: twice the load of one side");
+    BOOST_TEST(
+      near(bound / (2 * friction * normal_force(one)), 1, 2e-3, "ridge: twice the load of one side"));
     for (const double creepage : {0.2e-3, 1e-3, 3e-3})
-      check_near(start_tractions_at_creepage(both, creepage, steel, {velocity}).force /
-                   start_tractions_at_creepage(one, creepage, steel, {velocity}).force,
-                 2,
-                 0.01,
-                 "ridge: force of both sides over that of one at the creepage " + std::to_string(creepage));
+      BOOST_TEST(
+        near(start_tractions_at_creepage(both, creepage, steel, {velocity}).force /
+               start_tractions_at_creepage(one, creepage, steel, {velocity}).force,
+             2,
+             0.01,
+             "ridge: force of both sides over that of one at the creepage " + std::to_string(creepage)));
     for (const double share : {-0.3, 0.6})
       {
         const auto start = start_tractions(both, share * bound, steel, {velocity});
-        check_near(start.force / bound, share, 1e-5, "ridge: the wanted force is met");
-        check_near(start.creepage / start_tractions(one, 0.5 * share * bound, steel, {velocity}).creepage,
-                   1,
-                   0.01,
-                   "ridge: creepage over that of one side with half the force");
+        BOOST_TEST(near(start.force / bound, share, 1e-5, "ridge: the wanted force is met"));
+        BOOST_TEST(
+          near(start.creepage / start_tractions(one, 0.5 * share * bound, steel, {velocity}).creepage,
+               1,
+               0.01,
+               "ridge: creepage over that of one side with half the force"));
         double lateral = 0;
         for (std::size_t k = 0; k < start.traction.size(); ++k)
           lateral += both.rail().area[k] * start.traction[k][0];
-        check_near(lateral / bound, 0, 1e-3, "ridge: lateral forces of both sides balance");
+        BOOST_TEST(near(lateral / bound, 0, 1e-3, "ridge: lateral forces of both sides balance"));
       }
     const auto beyond = start_tractions(both, 1.2 * bound, steel, {velocity});
-    check(beyond.saturated, "ridge: a force beyond the bound is flagged");
-    check_near(beyond.force / bound, 0.98, 2e-3, "ridge: and the bound less two per cent is given");
+    BOOST_TEST(beyond.saturated, "ridge: a force beyond the bound is flagged");
+    BOOST_TEST(near(beyond.force / bound, 0.98, 2e-3, "ridge: and the bound less two per cent is given"));
   }
 
   /// A tread that is longer than the head turns slower by as much under the same tractions; a rail that was
@@ -165,11 +169,12 @@ namespace
     const double     bound   = friction * normal_force(contact);
     const auto       alike   = start_tractions(contact, 0.5 * bound, steel, {velocity});
     const auto       longer  = start_tractions(contact, 0.5 * bound, steel, {velocity, 0, of_tread});
-    check_near(longer.creepage - alike.creepage, -of_tread, 1e-3 * of_tread, "a longer tread turns slower");
+    BOOST_TEST(
+      near(longer.creepage - alike.creepage, -of_tread, 1e-3 * of_tread, "a longer tread turns slower"));
     double change = 0;
     for (std::size_t k = 0; k < alike.traction.size(); ++k)
       change = std::max(change, norm(longer.traction[k] - alike.traction[k]));
-    check_near(change / largest_pressure, 0, 1e-4, "under the same tractions");
+    BOOST_TEST(near(change / largest_pressure, 0, 1e-4, "under the same tractions"));
 
     // displacements along the track in proportion to the place, besides those that press
     const auto          &rail = contact.rail().reference, &wheel = contact.wheel().reference;
@@ -188,11 +193,11 @@ namespace
       }
     contact.gather(displacement.data(), still.data());
     contact.evaluate(0);
-    check(normal_force(contact) > 0, "stretched surfaces: still in contact");
-    check_near(tread_stretch(contact, before),
-               of_tread - of_head,
-               1e-2 * of_tread,
-               "stretched surfaces: tread less head, without what the rail had");
+    BOOST_TEST(normal_force(contact) > 0, "stretched surfaces: still in contact");
+    BOOST_TEST(near(tread_stretch(contact, before),
+                    of_tread - of_head,
+                    1e-2 * of_tread,
+                    "stretched surfaces: tread less head, without what the rail had"));
   }
 
   /// Bodies that a lateral force yaws against each other slide aside, as under a lateral creepage in
@@ -223,14 +228,14 @@ namespace
     double     force = 0;
     for (std::size_t k = 0; k < yawed.traction.size(); ++k)
       force += yawed.traction[k][0] * contact.rail().area[k];
-    check(std::abs(force) > 0.01 * bound, "a lateral creepage makes a lateral force");
+    BOOST_TEST(std::abs(force) > 0.01 * bound, "a lateral creepage makes a lateral force");
     const auto creeping = start_tractions(contact, 0.5 * bound, steel, {velocity, eta + yaw * force});
     double     change   = 0;
     for (std::size_t k = 0; k < yawed.traction.size(); ++k)
       change = std::max(change, norm(yawed.traction[k] - creeping.traction[k]));
-    check_near(change / largest_pressure, 0, 1e-4, "a yaw of the bodies is a lateral creepage");
-    check_near(
-      creeping.creepage, yawed.creepage, 1e-4 * yawed.creepage, "with the same longitudinal creepage");
+    BOOST_TEST(near(change / largest_pressure, 0, 1e-4, "a yaw of the bodies is a lateral creepage"));
+    BOOST_TEST(
+      near(creeping.creepage, yawed.creepage, 1e-4 * yawed.creepage, "with the same longitudinal creepage"));
 
     const auto         &rail = contact.rail().reference, &wheel = contact.wheel().reference;
     std::vector<double> displacement(4 * (rail.size() + wheel.size()), 0.), still(displacement.size(), 0.);
@@ -240,10 +245,10 @@ namespace
       displacement[4 * (rail.size() + k)] = away;
     contact.gather(displacement.data(), still.data());
     contact.evaluate(0);
-    check_near(facing_after_shift(contact, start_grids(contact).front()),
-               -away,
-               1e-2 * away,
-               "steel from farther in lies where the wheel was moved out");
+    BOOST_TEST(near(facing_after_shift(contact, start_grids(contact).front()),
+                    -away,
+                    1e-2 * away,
+                    "steel from farther in lies where the wheel was moved out"));
   }
 
   /// Friction that falls with the slip velocity: the tractions are those of the half-space problem with that
@@ -277,9 +282,10 @@ namespace
         problem.fx                       = -0.4 * friction * load;
         const HalfspaceSolution solution = solve_rolling(problem);
         const auto              start    = start_tractions(contact, -problem.fx, steel, {velocity});
-        check(solution.converged() && start.converged && !start.saturated, name + "both converged");
+        BOOST_TEST((solution.converged() && start.converged && !start.saturated), name + "both converged");
         // steps of an element make the problem too stiff by half of one, some 2 %; the start does without
-        check_near(start.creepage / solution.xi, 1.02, 5e-3, name + "creepage of the half-space problem");
+        BOOST_TEST(
+          near(start.creepage / solution.xi, 1.02, 5e-3, name + "creepage of the half-space problem"));
         double error = 0, slipping = 0, inside = 0;
         for (int j = 0; j < problem.grid.my; ++j)
           for (int i = 0; i < problem.grid.mx; ++i)
@@ -294,13 +300,15 @@ namespace
                 solution.state[e] == HalfspaceSolution::slip && solution.friction[e] < 0.97 * friction;
             }
         // half an element along the track lies between both
-        check_near(std::sqrt(error / inside) / largest_pressure,
-                   0,
-                   0.01,
-                   name + "root mean square of the distance to the tractions of the half-space problem");
-        check(slipping > 20, name + "slip that lowers friction by three per cent and more");
+        BOOST_TEST(
+          near(std::sqrt(error / inside) / largest_pressure,
+               0,
+               0.01,
+               name + "root mean square of the distance to the tractions of the half-space problem"));
+        BOOST_TEST(slipping > 20, name + "slip that lowers friction by three per cent and more");
         const auto constant = start_tractions(elliptic_contact(a, b), -problem.fx, steel, {velocity});
-        check(start.creepage > 1.01 * constant.creepage, name + "more creepage than with friction at rest");
+        BOOST_TEST(start.creepage > 1.01 * constant.creepage,
+                   name + "more creepage than with friction at rest");
 
         // half the size, since this takes many solutions
         const Contact small   = elliptic_contact(0.5 * a, 0.5 * b, 0, law);
@@ -309,16 +317,15 @@ namespace
         double        largest = 0;
         for (double creepage = 0.5 * most.creepage; creepage < 3 * most.creepage; creepage *= 1.2)
           largest = std::max(largest, start_tractions_at_creepage(small, creepage, steel, {velocity}).force);
-        check(most.saturated && largest < 0.97 * bound, name + "the force at full slip is beyond it");
-        check_near(most.force / largest, 1, 0.02, name + "the largest force over all creepages");
+        BOOST_TEST((most.saturated && largest < 0.97 * bound), name + "the force at full slip is beyond it");
+        BOOST_TEST(near(most.force / largest, 1, 0.02, name + "the largest force over all creepages"));
       }
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(start_tractions, test::Parallel)
 {
-  Parallel parallel(argc, argv);
   linear_theory(6e-3, 4e-3, 4.78);
   linear_theory(4e-3, 4e-3, 4.30);
   linear_theory(3e-3, 6e-3, 3.81);
@@ -328,5 +335,4 @@ main(int argc, char **argv)
   stretched_tread();
   bodies_move_aside();
   falling_friction();
-  return parallel.report();
 }

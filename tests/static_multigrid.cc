@@ -79,16 +79,17 @@ namespace
     const auto       coarse = coarse_levels(*model.discretization, model.solid.mesh);
     const LocalMesh *finer  = &model.solid.mesh;
     const double     whole  = volume(*finer);
-    check(coarse.size() == 2, std::to_string(coarse.size()) + " levels below cells of a quarter of a block");
+    BOOST_TEST(coarse.size() == 2,
+               std::to_string(coarse.size()) + " levels below cells of a quarter of a block");
     for (const CoarseLevel &level : coarse)
       {
         const std::string name = std::to_string(level.mesh.cells.size()) + " cells here: ";
-        check(sum_of_ranks(level.mesh.cells.size()) < sum_of_ranks(finer->cells.size()),
-              name + "fewer than in the finer mesh");
+        BOOST_TEST(sum_of_ranks(level.mesh.cells.size()) < sum_of_ranks(finer->cells.size()),
+                   name + "fewer than in the finer mesh");
         // curved surfaces lose a little
-        check_near(volume(level.mesh) / whole, 1, 0.01, name + "volume over that of the finest mesh");
+        BOOST_TEST(near(volume(level.mesh) / whole, 1, 0.01, name + "volume over that of the finest mesh"));
         // curved faces of blocks bulge by 2.3 mm; a wrong corner would be off by half a block of 16 mm
-        check_near(worst_interpolation(level, *finer), 0, 3e-3, name + "interpolated places");
+        BOOST_TEST(near(worst_interpolation(level, *finer), 0, 3e-3, name + "interpolated places"));
         finer = &level.mesh;
       }
   }
@@ -171,14 +172,14 @@ namespace
     level.product(x, Kx);
     NodeVector difference = assembled_product(solid.mesh, solid.blocks, held, x);
     difference -= Kx;
-    check_near(difference.l2_norm() / Kx.l2_norm(), 0, 1e-6, "product against the element matrices");
+    BOOST_TEST(near(difference.l2_norm() / Kx.l2_norm(), 0, 1e-6, "product against the element matrices"));
     multigrid.set_springs(springs_of(model, 1));
     level.product(x, Kx);
     level.product(y, Ky);
-    check_near((y * Kx) / (x * Ky), 1, 1e-6, "with springs the product is symmetric");
+    BOOST_TEST(near((y * Kx) / (x * Ky), 1, 1e-6, "with springs the product is symmetric"));
     NodeVector residual = Kx;
     level.subtract_product(x, residual);
-    check_near(residual.l2_norm() / Kx.l2_norm(), 0, 1e-12, "a product taken off itself");
+    BOOST_TEST(near(residual.l2_norm() / Kx.l2_norm(), 0, 1e-12, "a product taken off itself"));
   }
 
   /// Forces of noise, solved for by a swept solver: the stiffness of the blocks gives them back.
@@ -217,13 +218,13 @@ namespace
             moved = std::max(moved, std::abs(x[k]));
           else
             worst = std::max(worst, std::abs(back[k] - forces[k]));
-        check_near(worst,
-                   0,
-                   1e-10,
-                   std::to_string(held.size()) +
-                     " nodes of coarse blocks: forces of the solution off those "
-                     "asked for");
-        check(moved == 0, "held nodes stay");
+        BOOST_TEST(near(worst,
+                        0,
+                        1e-10,
+                        std::to_string(held.size()) +
+                          " nodes of coarse blocks: forces of the solution off those "
+                          "asked for"));
+        BOOST_TEST(moved == 0, "held nodes stay");
       }
   }
 
@@ -275,11 +276,12 @@ namespace
     with_joined.solve(forces, x);
     NodeVector back = assembled_product(mesh, blocks, held, x);
     springs.add_product(1, x.begin(), back.begin());
-    check(std::abs(back.l2_norm() / forces.l2_norm() - 1) > 1e-3, "joined nodes bear some of the forces");
+    BOOST_TEST(std::abs(back.l2_norm() / forces.l2_norm() - 1) > 1e-3,
+               "joined nodes bear some of the forces");
     joined.add_product(1, x.begin(), back.begin());
     back -= forces;
-    check_near(
-      back.l2_norm() / forces.l2_norm(), 0, 1e-8, "forces of the direct solution off those asked for");
+    BOOST_TEST(
+      near(back.l2_norm() / forces.l2_norm(), 0, 1e-8, "forces of the direct solution off those asked for"));
 
     DirectCoarseSolver    direct(*model.discretization, mesh, blocks, held);
     IterativeCoarseSolver iterative(mesh, blocks, held, {}, MPI_COMM_WORLD);
@@ -288,10 +290,10 @@ namespace
     direct.solve(forces, x);
     iterative.solve(forces, z);
     // the energy of the exact solution is the largest; a fifth of the forces is left by the other one
-    check(springs.size() > 0, std::to_string(springs.size()) + " springs reach the coarse blocks");
-    check_near((forces * z) / (forces * x), 1, 0.05, "work of the forces, iterative over direct");
+    BOOST_TEST(springs.size() > 0, std::to_string(springs.size()) + " springs reach the coarse blocks");
+    BOOST_TEST(near((forces * z) / (forces * x), 1, 0.05, "work of the forces, iterative over direct"));
     z.add(-1, x);
-    check_near(z.l2_norm() / x.l2_norm(), 0, 0.2, "displacements, iterative off direct");
+    BOOST_TEST(near(z.l2_norm() / x.l2_norm(), 0, 0.2, "displacements, iterative off direct"));
   }
 
   unsigned int
@@ -312,25 +314,22 @@ namespace
         std::copy(at->second.begin(), at->second.end(), &force[4 * n]);
     StaticStep         step;
     const unsigned int taken = system.solve(system.right_hand_side(force), 100, 1e-6, step);
-    check(taken <= 20, name + ": " + std::to_string(taken) + " steps of conjugate gradients for 1e-6");
-    check(step.hub_displacement > 0, name + ": a force upwards lifts the wheel");
+    BOOST_TEST(taken <= 20, name + ": " + std::to_string(taken) + " steps of conjugate gradients for 1e-6");
+    BOOST_TEST(step.hub_displacement > 0, name + ": a force upwards lifts the wheel");
     return taken;
   }
 } // namespace
 
 
-int
-main(int argc, char **argv)
+BOOST_FIXTURE_TEST_CASE(static_multigrid, test::Parallel)
 {
-  Parallel parallel(argc, argv);
-  Model    model = small_model(MPI_COMM_WORLD, 4e-3);
+  Model model = small_model(MPI_COMM_WORLD, 4e-3);
   levels(model);
   operators(model);
   const unsigned int taken = steps(model, 1, "4 mm");
   steps(model, 100, "4 mm, springs a hundred times as stiff");
   Model coarse = small_model(MPI_COMM_WORLD, 8e-3);
-  check(taken <= steps(coarse, 1, "8 mm") + 2, "finer cells take about as many steps");
+  BOOST_TEST(taken <= steps(coarse, 1, "8 mm") + 2, "finer cells take about as many steps");
   swept_blocks(model);
   coarsest_level(model);
-  return parallel.report();
 }

@@ -4,7 +4,7 @@
 
 #include <wheelrail/statics/static_progress.h>
 
-#include "check.h"
+#include "near.h"
 
 #include <cmath>
 #include <functional>
@@ -26,17 +26,17 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(static_progress)
 {
-  check(steps_until_stuck([](const int k) { return std::pow(0.97, k); }) == 60,
-        "slow steps go on: a tenth takes four of them");
-  check(steps_until_stuck([](const int k) { return k % 7 == 0 ? std::pow(0.5, k) : 2.; }) == 60,
-        "so do steps that get better now and then");
-  check(steps_until_stuck([](const int k) { return k % 2 == 0 ? 1. : 1.5; }) == 10,
-        "a circle of two places ends after ten steps");
-  check(steps_until_stuck([](const int k) { return k < 5 ? 1. / (1 + k) : 0.19; }) == 14,
-        "the ten count from the last gain");
-  check(steps_until_stuck([](int) { return std::nan(""); }) <= 10, "values that are no numbers get nowhere");
-  return report();
+  BOOST_TEST((steps_until_stuck([](const int k) { return std::pow(0.97, k); }) == 60),
+             "slow steps go on: a tenth takes four of them");
+  BOOST_TEST((steps_until_stuck([](const int k) { return k % 7 == 0 ? std::pow(0.5, k) : 2.; }) == 60),
+             "so do steps that get better now and then");
+  BOOST_TEST((steps_until_stuck([](const int k) { return k % 2 == 0 ? 1. : 1.5; }) == 10),
+             "a circle of two places ends after ten steps");
+  BOOST_TEST((steps_until_stuck([](const int k) { return k < 5 ? 1. / (1 + k) : 0.19; }) == 14),
+             "the ten count from the last gain");
+  BOOST_TEST((steps_until_stuck([](int) { return std::nan(""); }) <= 10),
+             "values that are no numbers get nowhere");
 }

@@ -2,7 +2,7 @@
 
 // Whether means of a run are steady and known: made-up histories with noise, slopes and forces out of
 // balance.
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/sampling/creep_scale.h>
@@ -14,8 +14,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -106,8 +105,8 @@ namespace
   refused(const Faults &faults, const std::string &reason)
   {
     const Steadiness found = judged(faults);
-    check(!found.steady() && found.open.find(reason) != std::string::npos,
-          "not steady: " + reason + " (" + found.open + ")");
+    BOOST_TEST((!found.steady() && found.open.find(reason) != std::string::npos),
+               "not steady: " + reason + " (" + found.open + ")");
   }
 
   const KnownResult &
@@ -120,16 +119,16 @@ namespace
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(steadiness)
 {
   const Steadiness calm = judged({});
-  check(calm.steady(), "noise of 0.01 % in every cell is steady " + calm.open);
+  BOOST_TEST(calm.steady(), "noise of 0.01 % in every cell is steady " + calm.open);
   const double cells = (calm.stretch.s1 - calm.stretch.s0) / 1e-3;
-  check_near(cells, std::round(cells), 1e-6, "a whole number of cells");
-  check(cells >= 8 && calm.stretch.s0 >= 13e-3, "a stretch from one patch length past the start on");
-  check_near(result(calm, "contact_area").mean.mean, 190e-6, 2e-8, "the mean of the area [m2]");
-  check(result(calm, "contact_area").error() < 1e-3 * 190e-6, "and its standard error");
+  BOOST_TEST(near(cells, std::round(cells), 1e-6, "a whole number of cells"));
+  BOOST_TEST((cells >= 8 && calm.stretch.s0 >= 13e-3), "a stretch from one patch length past the start on");
+  BOOST_TEST(near(result(calm, "contact_area").mean.mean, 190e-6, 2e-8, "the mean of the area [m2]"));
+  BOOST_TEST(result(calm, "contact_area").error() < 1e-3 * 190e-6, "and its standard error");
 
   refused({2e-2}, "noise of the");
   Faults slope;
@@ -138,8 +137,8 @@ main()
   // a slope that does not stand out of the noise: the error of the mean holds what it changes in a patch
   // length
   const KnownResult area = result(calm, "contact_area");
-  check(area.drift == 0 && area.trend > 0 && area.error() > area.trend && area.error() > area.noise,
-        "no slope of the area is known, and what it may come to is in its error");
+  BOOST_TEST((area.drift == 0 && area.trend > 0 && area.error() > area.trend && area.error() > area.noise),
+             "no slope of the area is known, and what it may come to is in its error");
   Faults heavy;
   heavy.load = 2e-3;
   refused(heavy, "vertical force against the load");
@@ -157,16 +156,16 @@ main()
   const Steadiness off      = judged(slightly);
   const CreepScale creep    = creep_scale(friction * load, 81e9, 13e-3, 20e-3);
   const double     expected = 5e-4 * friction * load / (creep.stiffness * creep.tangent(force));
-  check(off.steady(), "off by 0.05 % passes " + off.open);
-  check_near(result(off, "creepage").balance / expected, 1, 0.1, "its part of the error of the creepage");
+  BOOST_TEST(off.steady(), "off by 0.05 % passes " + off.open);
+  BOOST_TEST(
+    near(result(off, "creepage").balance / expected, 1, 0.1, "its part of the error of the creepage"));
 
   // Kalker's coefficients of a circle at a Poisson's ratio of 1/4, and the law of Vermeulen and Johnson
   const CreepScale circle = creep_scale(1, 1, 2, 2);
-  check_near(circle.stiffness, 4.12, 1e-12, "C11 of a circle");
-  check_near(circle.lateral, 3.67, 1e-12, "C22 of a circle");
-  check_near(circle.tangent(0), 1, 1e-12, "slope without force");
-  check_near(circle.tangent(1), 0, 1e-12, "slope of a patch that slides");
+  BOOST_TEST(near(circle.stiffness, 4.12, 1e-12, "C11 of a circle"));
+  BOOST_TEST(near(circle.lateral, 3.67, 1e-12, "C22 of a circle"));
+  BOOST_TEST(near(circle.tangent(0), 1, 1e-12, "slope without force"));
+  BOOST_TEST(near(circle.tangent(1), 0, 1e-12, "slope of a patch that slides"));
   const double c = circle.half_saturation() * circle.stiffness / 3;
-  check_near(1 - std::pow(1 - c, 3), 0.5, 1e-12, "half of the friction bound");
-  return test::report();
+  BOOST_TEST(near(1 - std::pow(1 - c, 3), 0.5, 1e-12, "half of the friction bound"));
 }

@@ -84,45 +84,45 @@ namespace
   {
     const auto     low = [](const Vector3 &X) { return X[0] < 1; };
     const Dynamics scene(two_level_box({0, 0, 0}, {2, 1, 1}, {4, 3, 2}, low, 0.15), Setup());
-    check_near(largest_error(scene.solid, linear, everywhere, MPI_COMM_SELF),
-               0,
-               1e-7,
-               "distorted cells of two levels: linear stress");
+    BOOST_TEST(near(largest_error(scene.solid, linear, everywhere, MPI_COMM_SELF),
+                    0,
+                    1e-7,
+                    "distorted cells of two levels: linear stress"));
 
     const auto coarse = errors_of_cube(10), fine = errors_of_cube(20);
     std::cout << "        inside " << coarse[0] << ", " << fine[0] << "; with the surface " << coarse[1]
               << ", " << fine[1] << "; 10 and 20 cells" << std::endl;
     // on the coarser cube surfaces still reach a little into what counts as inside, so the order is higher
-    check(std::log2(coarse[0] / fine[0]) > 3.7, "even cells: the fourth order at least inside");
-    check_near(std::log2(coarse[1] / fine[1]), 3, 0.3, "even cells: order of convergence on the surface");
+    BOOST_TEST(std::log2(coarse[0] / fine[0]) > 3.7, "even cells: the fourth order at least inside");
+    BOOST_TEST(
+      near(std::log2(coarse[1] / fine[1]), 3, 0.3, "even cells: order of convergence on the surface"));
 
     const Dynamics cube(box({0, 0, 0}, {1, 1, 1}, {5, 5, 5}), Setup());
-    check_near(largest_error(cube.solid, curved, everywhere, MPI_COMM_SELF),
-               0,
-               1e-4,
-               "even cells: quadratic stress, at surfaces, edges and corners too");
+    BOOST_TEST(near(largest_error(cube.solid, curved, everywhere, MPI_COMM_SELF),
+                    0,
+                    1e-4,
+                    "even cells: quadratic stress, at surfaces, edges and corners too"));
 
     const Dynamics single(box({0, 0, 0}, {1, 1, 1}, {1, 1, 1}), Setup());
-    check_near(largest_error(
-                 single.solid, [](const Vector3 &) { return 1; }, everywhere, MPI_COMM_SELF),
-               0,
-               1e-14,
-               "a single cell: its own stress");
+    BOOST_TEST(near(largest_error(
+                      single.solid, [](const Vector3 &) { return 1; }, everywhere, MPI_COMM_SELF),
+                    0,
+                    1e-14,
+                    "a single cell: its own stress"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(stress_recovery)
 {
-  Parallel    parallel(argc, argv);
-  const Model model = test::small_model(MPI_COMM_WORLD, 4e-3);
+  const Parallel parallel;
+  const Model    model = test::small_model(MPI_COMM_WORLD, 4e-3);
   // the web of the wheel and the toes of the foot are one layer of cells
   const Predicate around_contact = [](const Vector3 &X) { return norm(X) < 0.08; };
-  check_near(largest_error(model.solid, linear, around_contact, MPI_COMM_WORLD),
-             0,
-             1e-7,
-             "head and tread: linear stress");
+  BOOST_TEST(near(largest_error(model.solid, linear, around_contact, MPI_COMM_WORLD),
+                  0,
+                  1e-7,
+                  "head and tread: linear stress"));
   if (parallel.size == 1)
     on_one_rank();
-  return parallel.report();
 }

@@ -20,9 +20,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_text;
 using test::message_of;
+using test::same_text;
 
 namespace
 {
@@ -43,39 +42,42 @@ namespace
     return study_cases(scene_of(axes, more), "1.0");
   }
 
-  void
-  test_cases()
+  BOOST_AUTO_TEST_CASE(test_cases)
   {
     const std::vector<StudyCase> grid = cases_of(friction + "; " + shift);
-    check(grid.size() == 6, "a grid of three and two values has six cases");
-    check(grid[0].scene.friction.at_rest == 0.1 && grid[0].scene.lateral_shift == -1e-3 &&
-            grid[1].scene.friction.at_rest == 0.1 && grid[1].scene.lateral_shift == 2e-3 &&
-            grid[5].scene.friction.at_rest == 0.3 && grid[5].scene.lateral_shift == 2e-3,
-          "the last axis changes fastest");
-    check(grid[3].values == std::vector<std::string>({"0.2", "2 mm"}), "values as the listing writes them");
-    check(grid[3].name.rfind("friction_coefficient_0.2-lateral_shift_2_mm-", 0) == 0, grid[3].name);
-    check_text(grid[3].scene.folder, "out/" + grid[3].name, "a case has a folder below that of the study");
-    check_text(grid[3].scene.title, "Friction coefficient 0.2, Lateral shift 2 mm", "title of a case");
-    check(grid[3].scene.study.axes.empty(), "a case is no study");
+    BOOST_TEST(grid.size() == 6, "a grid of three and two values has six cases");
+    BOOST_TEST((grid[0].scene.friction.at_rest == 0.1 && grid[0].scene.lateral_shift == -1e-3 &&
+                grid[1].scene.friction.at_rest == 0.1 && grid[1].scene.lateral_shift == 2e-3 &&
+                grid[5].scene.friction.at_rest == 0.3 && grid[5].scene.lateral_shift == 2e-3),
+               "the last axis changes fastest");
+    BOOST_TEST((grid[3].values == std::vector<std::string>({"0.2", "2 mm"})),
+               "values as the listing writes them");
+    BOOST_TEST(grid[3].name.rfind("friction_coefficient_0.2-lateral_shift_2_mm-", 0) == 0, grid[3].name);
+    BOOST_TEST(
+      same_text(grid[3].scene.folder, "out/" + grid[3].name, "a case has a folder below that of the study"));
+    BOOST_TEST(
+      same_text(grid[3].scene.title, "Friction coefficient 0.2, Lateral shift 2 mm", "title of a case"));
+    BOOST_TEST(grid[3].scene.study.axes.empty(), "a case is no study");
     std::set<std::string> names;
     for (const StudyCase &one : grid)
       names.insert(one.name);
-    check(names.size() == 6, "six names");
+    BOOST_TEST(names.size() == 6, "six names");
 
     const std::string yield =
       "Rail material/Yield stress: none, 480 MPa; "
       "Wheel material/Yield stress: none, 480 MPa";
     const std::vector<StudyCase> pairs = cases_of(yield, {"Study/Combine = pairs"});
-    check(pairs.size() == 2 && std::isinf(pairs[0].scene.rail_material.yield_stress) &&
-            pairs[1].scene.rail_material.yield_stress == 480e6 &&
-            pairs[1].scene.wheel_material.yield_stress == 480e6,
-          "pairs take the first values together, the second ones, ...");
-    check(pairs[1].name.rfind("yield_stress_480_mpa-", 0) == 0 && pairs[1].name.size() == 29, pairs[1].name);
+    BOOST_TEST((pairs.size() == 2 && std::isinf(pairs[0].scene.rail_material.yield_stress) &&
+                pairs[1].scene.rail_material.yield_stress == 480e6 &&
+                pairs[1].scene.wheel_material.yield_stress == 480e6),
+               "pairs take the first values together, the second ones, ...");
+    BOOST_TEST((pairs[1].name.rfind("yield_stress_480_mpa-", 0) == 0 && pairs[1].name.size() == 29),
+               pairs[1].name);
 
     const Scene back =
       scene_from_text(print_parameters(scene_of(friction + "; " + shift)), "listing", {}).scene;
-    check(study_cases(back, "1.0").size() == 6, "the listing reads back");
-    check(study_cases(back, "1.0")[4].name == grid[4].name, "to the same cases");
+    BOOST_TEST(study_cases(back, "1.0").size() == 6, "the listing reads back");
+    BOOST_TEST((study_cases(back, "1.0")[4].name == grid[4].name), "to the same cases");
   }
 
   /// The name of the case with friction 0.2.
@@ -89,20 +91,21 @@ namespace
     return "";
   }
 
-  void
-  test_identity()
+  BOOST_AUTO_TEST_CASE(test_identity)
   {
     const std::string name = name_of("0.1, 0.2", {});
-    check_text(name_of("0.2, 0.5, 0.7", {}), name, "the place in the list does not matter");
-    check_text(name_of("0.2", {"Contact/Friction coefficient = 0.7"}), name, "nor what the axis replaces");
-    check_text(name_of("0.2", {"Title = another"}), name, "nor a title");
-    check_text(name_of("0.2", {"Output/Checkpoint interval = 5 s"}), name, "nor how often a run is saved");
-    check_text(name_of("0.2", {"Wheelset/Velocity = 38.888888888888886 m/s"}),
-               name_of("0.2", {"Wheelset/Velocity = 140 km/h"}),
-               "nor the unit of a value");
-    check(name_of("0.2", {"Wheelset/Velocity = 141 km/h"}) != name, "another value is another case");
-    check(name_of("0.2", {"Mesh/Solution cell size = 2 mm"}) != name, "so are other cells");
-    check(name_of("0.2", {}, "1.1") != name, "so is another version of the program");
+    BOOST_TEST(same_text(name_of("0.2, 0.5, 0.7", {}), name, "the place in the list does not matter"));
+    BOOST_TEST(
+      same_text(name_of("0.2", {"Contact/Friction coefficient = 0.7"}), name, "nor what the axis replaces"));
+    BOOST_TEST(same_text(name_of("0.2", {"Title = another"}), name, "nor a title"));
+    BOOST_TEST(
+      same_text(name_of("0.2", {"Output/Checkpoint interval = 5 s"}), name, "nor how often a run is saved"));
+    BOOST_TEST(same_text(name_of("0.2", {"Wheelset/Velocity = 38.888888888888886 m/s"}),
+                         name_of("0.2", {"Wheelset/Velocity = 140 km/h"}),
+                         "nor the unit of a value"));
+    BOOST_TEST((name_of("0.2", {"Wheelset/Velocity = 141 km/h"}) != name), "another value is another case");
+    BOOST_TEST((name_of("0.2", {"Mesh/Solution cell size = 2 mm"}) != name), "so are other cells");
+    BOOST_TEST((name_of("0.2", {}, "1.1") != name), "so is another version of the program");
 
     const std::string file    = "Half-space/Undeformed distance = distance.txt";
     const auto        written = [&](const char *text) {
@@ -110,7 +113,7 @@ namespace
       return name_of("0.2", {file});
     };
     const std::string first = written("0 0 0"), other = written("0 0 1");
-    check(first != other && first == written("0 0 0"), "the content of a file counts");
+    BOOST_TEST((first != other && first == written("0 0 0")), "the content of a file counts");
     std::remove("distance.txt");
 
     // files that a scene names by way of others: the rail of an earlier run, a listed scene and what that
@@ -127,8 +130,8 @@ namespace
     write("study_listed.prm", "include study_included.prm\n# a remark\n");
     write("study_included.prm", "subsection Wheelset\n  set Lateral shift = 1 mm\nend\n");
     std::set<std::string> names{named()};
-    check(names.count(named()) == 1, "the same files, the same case");
-    const auto is_new = [&](const std::string &what) { check(names.insert(named()).second, what); };
+    BOOST_TEST(names.count(named()) == 1, "the same files, the same case");
+    const auto is_new = [&](const std::string &what) { BOOST_TEST(names.insert(named()).second, what); };
     write("study_rail/rail.h5", "another rail");
     is_new("another rail.h5 is another case");
     std::filesystem::remove("study_rail/rail.h5");
@@ -141,44 +144,46 @@ namespace
     write("study_profile.csv", "another profile");
     is_new("and another content of that");
     write("study_listed.prm", "include study_included.prm\n# another remark\n");
-    check(names.count(named()) == 1, "a remark in a listed scene is none");
+    BOOST_TEST(names.count(named()) == 1, "a remark in a listed scene is none");
   }
 
-  void
-  test_plan()
+  BOOST_AUTO_TEST_CASE(test_plan)
   {
     std::ostringstream out;
     const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
     std::ofstream("study.prm") << "subsection Study\n  set Axes = " << friction
                                << "\n  set Compute = run\nend\n";
-    check(execute({"study", "study.prm", "--plan", "--set", "Output/Folder = out/"}, run, out) == 0,
-          "study --plan");
+    BOOST_TEST((execute({"study", "study.prm", "--plan", "--set", "Output/Folder = out/"}, run, out) == 0),
+               "study --plan");
     const auto plan = nlohmann::json::parse(out.str());
-    check(plan["cases"].size() == 3 && plan["compute"] == "run" && plan["folder"] == "out/" &&
-            plan["axes"][0]["entry"] == "Contact/Friction coefficient" &&
-            plan["axes"][0]["values"].size() == 3,
-          "the plan holds axes and cases");
+    BOOST_TEST((plan["cases"].size() == 3 && plan["compute"] == "run" && plan["folder"] == "out/" &&
+                plan["axes"][0]["entry"] == "Contact/Friction coefficient" &&
+                plan["axes"][0]["values"].size() == 3),
+               "the plan holds axes and cases");
     const std::string parameters = plan["cases"][1]["parameters"];
-    check(scene_from_text(parameters, "case", {}).scene.friction.at_rest == 0.2,
-          "and the parameter file of each");
+    BOOST_TEST((scene_from_text(parameters, "case", {}).scene.friction.at_rest == 0.2),
+               "and the parameter file of each");
 
-    check_text(message_of([&]() {
-                 execute({"run", "study.prm"}, run, out);
-               }),
-               "study.prm: a study, since Study/Axes is set; ./wheelrail study study.prm computes its cases",
-               "a study is no scene to run");
-    check_text(message_of([&]() {
-                 execute({"halfspace", "study.prm"}, run, out);
-               }),
-               "study.prm: a study, since Study/Axes is set; ./wheelrail study study.prm computes its cases",
-               "nor for half-spaces");
+    BOOST_TEST(
+      same_text(message_of([&]() {
+                  execute({"run", "study.prm"}, run, out);
+                }),
+                "study.prm: a study, since Study/Axes is set; ./wheelrail study study.prm computes its cases",
+                "a study is no scene to run"));
+    BOOST_TEST(
+      same_text(message_of([&]() {
+                  execute({"halfspace", "study.prm"}, run, out);
+                }),
+                "study.prm: a study, since Study/Axes is set; ./wheelrail study study.prm computes its cases",
+                "nor for half-spaces"));
     std::ofstream("study.prm") << "set Title = one scene\n";
-    check_text(message_of([&]() {
-                 execute({"study", "study.prm", "--plan"}, run, out);
-               }),
-               "study.prm: no study, since Study/Axes is not set; write in subsection Study, for instance, "
-               "\"set Axes = Contact/Friction coefficient: 0.1, 0.2, 0.3\"",
-               "a scene is no study");
+    BOOST_TEST(
+      same_text(message_of([&]() {
+                  execute({"study", "study.prm", "--plan"}, run, out);
+                }),
+                "study.prm: no study, since Study/Axes is not set; write in subsection Study, for instance, "
+                "\"set Axes = Contact/Friction coefficient: 0.1, 0.2, 0.3\"",
+                "a scene is no study"));
     std::remove("study.prm");
   }
 
@@ -186,17 +191,17 @@ namespace
   void
   check_axes(const std::string &axes, const std::string &expected, const std::vector<std::string> &more = {})
   {
-    check_text(message_of([&]() {
-                 std::vector<std::string> sets = {"Study/Axes = " + axes};
-                 sets.insert(sets.end(), more.begin(), more.end());
-                 require_none(study_faults(scene_from_text("", "x.prm", sets).scene), {{}, "x.prm", "", {}});
-               }),
-               expected,
-               axes);
+    BOOST_TEST(
+      same_text(message_of([&]() {
+                  std::vector<std::string> sets = {"Study/Axes = " + axes};
+                  sets.insert(sets.end(), more.begin(), more.end());
+                  require_none(study_faults(scene_from_text("", "x.prm", sets).scene), {{}, "x.prm", "", {}});
+                }),
+                expected,
+                axes));
   }
 
-  void
-  test_messages()
+  BOOST_AUTO_TEST_CASE(test_messages)
   {
     check_axes(
       "0.1, 0.2",
@@ -255,17 +260,8 @@ namespace
       require_none(study_faults(scene_of("Half-space/Radius along: " + many + "; Output/Ticks: " + ticks)),
                    {{}, "x.prm", "", {}});
     });
-    check(found.find(": more than 10000 cases; leave values out, or divide the study") != std::string::npos,
-          found);
+    BOOST_TEST(
+      (found.find(": more than 10000 cases; leave values out, or divide the study") != std::string::npos),
+      found);
   }
 } // namespace
-
-int
-main()
-{
-  test_cases();
-  test_identity();
-  test_plan();
-  test_messages();
-  return test::report();
-}

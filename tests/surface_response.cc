@@ -5,7 +5,7 @@
 
 #include <wheelrail/contact/surface_response.h>
 
-#include "check.h"
+#include "near.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +40,13 @@ namespace
     const auto stiffness = cube_stiffness(material, form);
     const auto coarse    = surface_response(stiffness, material, 0.4, 0),
                fine      = surface_response(stiffness, material, 0.2, 0);
-    check_near(std::log2(coarse.normal / fine.normal), 2, 0.05, "order of the normal response");
-    check_near(
-      std::log2(coarse.perpendicular / fine.perpendicular), 2, 0.05, "order of the response across the wave");
-    check_near(
-      fine.perpendicular / 0.04, 1. / 12, 1e-3, "across the wave only the hat functions err: (k h)^2/12");
+    BOOST_TEST(near(std::log2(coarse.normal / fine.normal), 2, 0.05, "order of the normal response"));
+    BOOST_TEST(near(std::log2(coarse.perpendicular / fine.perpendicular),
+                    2,
+                    0.05,
+                    "order of the response across the wave"));
+    BOOST_TEST(near(
+      fine.perpendicular / 0.04, 1. / 12, 1e-3, "across the wave only the hat functions err: (k h)^2/12"));
   }
 
   void
@@ -66,13 +68,14 @@ namespace
           }
         // what the next order leaves here, and in the weights, which are taken at k h = 0.3
         const double left = 0.05 * std::pow(k, 4) + 0.015 * plain;
-        check_near(mean,
-                   0,
-                   left,
-                   "k h = " + std::to_string(k) + ": mean normal error, plain " + std::to_string(plain));
+        BOOST_TEST(
+          near(mean,
+               0,
+               left,
+               "k h = " + std::to_string(k) + ": mean normal error, plain " + std::to_string(plain)));
         const auto   r     = surface_response(stiffness, material, k, 0);
         const double shear = (1 + r.perpendicular) * std::pow(kept(filter.shear, k, 0), 2) - 1;
-        check_near(shear, 0, left, "shear across the wave");
+        BOOST_TEST(near(shear, 0, left, "shear across the wave"));
       }
   }
 
@@ -112,15 +115,16 @@ namespace
         perpendicular.push_back(1 + r.perpendicular);
         exact.push_back(1);
       }
-    check_near(edge_beyond_nodes(exact, 0), 0.31, 1e-3, "edge beyond the nodes of an exact half-space");
+    BOOST_TEST(near(edge_beyond_nodes(exact, 0), 0.31, 1e-3, "edge beyond the nodes of an exact half-space"));
     const double pressure = edge_beyond_nodes(normal, filter.normal);
     std::cout << "        edge beyond the nodes, in cells: pressure " << pressure << " (without filter "
               << edge_beyond_nodes(normal, 0) << "), shear along the track " << edge_beyond_nodes(parallel, 0)
               << ", across it " << edge_beyond_nodes(perpendicular, filter.shear) << " (without filter "
               << edge_beyond_nodes(perpendicular, 0) << ")\n";
-    check_near(pressure - edge_beyond_nodes(parallel, 0), 0, 0.02, "shear along the track begins there");
-    check_near(
-      pressure - edge_beyond_nodes(perpendicular, filter.shear), 0, 0.02, "shear across the track, too");
+    BOOST_TEST(
+      near(pressure - edge_beyond_nodes(parallel, 0), 0, 0.02, "shear along the track begins there"));
+    BOOST_TEST(near(
+      pressure - edge_beyond_nodes(perpendicular, filter.shear), 0, 0.02, "shear across the track, too"));
   }
 
   /// Forces filtered by S do the work of displacements filtered by S; linear fields stay.
@@ -155,21 +159,21 @@ namespace
         if (i > 1 && i < 7 && j > 0 && j < 6)
           bend = std::max(bend, norm(kept_line[k] - line[k]));
       }
-    check_near(left, right, 1e-13, "f . S u = S f . u");
-    check_near(norm(sum - filtered_sum), 0, 1e-13, "the sum of the forces stays");
-    check_near(bend, 0, 1e-14, "linear fields stay inside the border");
+    BOOST_TEST(near(left, right, 1e-13, "f . S u = S f . u"));
+    BOOST_TEST(near(norm(sum - filtered_sum), 0, 1e-13, "the sum of the forces stays"));
+    BOOST_TEST(near(bend, 0, 1e-14, "linear fields stay inside the border"));
     const auto stencil = filter_stencil(lattice, 1, 8, 0.1, 4, 3);
-    check_near(stencil[1][1], 0.81, 1e-15, "weight of the node itself");
-    check_near(stencil[0][1] + stencil[2][1] + stencil[1][0] + stencil[1][2] + stencil[0][0] + stencil[2][2] +
-                 stencil[0][2] + stencil[2][0],
-               0.19,
-               1e-15,
-               "weights of its neighbours");
+    BOOST_TEST(near(stencil[1][1], 0.81, 1e-15, "weight of the node itself"));
+    BOOST_TEST(near(stencil[0][1] + stencil[2][1] + stencil[1][0] + stencil[1][2] + stencil[0][0] +
+                      stencil[2][2] + stencil[0][2] + stencil[2][0],
+                    0.19,
+                    1e-15,
+                    "weights of its neighbours"));
   }
 } // namespace
 
-int
-main()
+
+BOOST_AUTO_TEST_CASE(surface_response)
 {
   for (const double nu : {0.0, 0.3, 0.45})
     {
@@ -183,5 +187,4 @@ main()
     }
   edges_meet();
   filter_is_symmetric();
-  return report();
 }

@@ -80,7 +80,7 @@ namespace
     system.set_springs({});
     NodeVector         moved = system.zero();
     const unsigned int steps = system.solve_held(system.right_hand_side(force), 1e-7, moved);
-    check(steps < 25, std::to_string(steps) + " steps of conjugate gradients");
+    BOOST_TEST(steps < 25, std::to_string(steps) + " steps of conjugate gradients");
     system.add_to_nodes(moved, 0, solid.displacement);
     return dynamic_cast<const TrackSupport &>(*model.parts.front()).force_at_rest(solid);
   }
@@ -109,9 +109,9 @@ namespace
       }
     MPI_Allreduce(MPI_IN_PLACE, worst.data(), 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     const auto [size, off] = worst;
-    check(size > 0 && parts.joined().size() > 10, "sleepers join nodes of an upright rail");
-    check_near(
-      off / size, 0, 1e-12, "springs of nodes less what sleepers give way, off the stiffness of the track");
+    BOOST_TEST((size > 0 && parts.joined().size() > 10), "sleepers join nodes of an upright rail");
+    BOOST_TEST(near(
+      off / size, 0, 1e-12, "springs of nodes less what sleepers give way, off the stiffness of the track"));
   }
 
   /// Winkler's foundation below Timoshenko's beam: bending stiffness, shear stiffness, foundation.
@@ -144,8 +144,7 @@ namespace
     return {210e9 * 3038.3e-8, 0.4 * 80.8e9 * 76.7e-4, foundation};
   }
 
-  void
-  static_deflection()
+  BOOST_FIXTURE_TEST_CASE(static_deflection, test::Parallel)
   {
     constexpr double load  = 100e3;
     Model            model = long_rail();
@@ -154,12 +153,13 @@ namespace
     pads.pad        = {20e6, 30e6, 20e6}; // 50 MN/m2
     put_on(model, pads);
     const Vector3 borne = press(model, load);
-    check_near(borne[1] / load, -1, 1e-5, "the pads bear the load");
+    BOOST_TEST(near(borne[1] / load, -1, 1e-5, "the pads bear the load"));
     const Beam   beam       = rail_beam(50e6);
     const double deflection = deflections(model, {0})[0];
-    check_near(beam.at_load() / 1.246e-8, 1, 2e-3, "Timoshenko's beam on 50 MN/m2 over its closed form");
-    check_near(
-      deflection / load / 1.246e-8, 1, 0.03, "deflection of 60E1 on 50 MN/m2 over Timoshenko's beam");
+    BOOST_TEST(
+      near(beam.at_load() / 1.246e-8, 1, 2e-3, "Timoshenko's beam on 50 MN/m2 over its closed form"));
+    BOOST_TEST(
+      near(deflection / load / 1.246e-8, 1, 0.03, "deflection of 60E1 on 50 MN/m2 over Timoshenko's beam"));
 
     // pads on sleepers on ballast as stiff per length
     TrackData on_sleepers;
@@ -171,17 +171,17 @@ namespace
     std::fill(model.solid.displacement.begin(), model.solid.displacement.end(), 0.);
     TrackSupport &track = put_on(model, on_sleepers);
     stiffness_in_parts(model);
-    check_near(press(model, load)[1] / load, -1, 1e-5, "pads on sleepers bear the load");
-    check_near(deflections(model, {0})[0] / load / 1.246e-8,
-               1,
-               0.06,
-               "deflection over a sleeper over that on the same stiffness per length");
+    BOOST_TEST(near(press(model, load)[1] / load, -1, 1e-5, "pads on sleepers bear the load"));
+    BOOST_TEST(near(deflections(model, {0})[0] / load / 1.246e-8,
+                    1,
+                    0.06,
+                    "deflection over a sleeper over that on the same stiffness per length"));
     track.start(model.solid);
     double sum = 0;
     for (const Vector3 &place : track.sleeper_places())
       sum += place[1] * on_sleepers.ballast[1];
-    check_near(sum / load, -1, 1e-4, "the ballast bears it as well");
-    check(track.sleepers().size() == 11, "a sleeper every 0.6 m below 7 m of rail");
+    BOOST_TEST(near(sum / load, -1, 1e-4, "the ballast bears it as well"));
+    BOOST_TEST(track.sleepers().size() == 11, "a sleeper every 0.6 m below 7 m of rail");
   }
 
   /// Timoshenko's beam on pads and sleepers, free at both ends: a finite beam by elements that are exact
@@ -244,8 +244,7 @@ namespace
 
   /// Under the load at 11 places of a bay, from over a sleeper to over the next one; the second half of the
   /// bay is the mirror image of the first. Pads of 300 MN/m on sleepers on ballast of 50 MN/m.
-  void
-  over_a_bay()
+  BOOST_FIXTURE_TEST_CASE(over_a_bay, test::Parallel)
   {
     constexpr double load  = 100e3;
     Model            model = long_rail();
@@ -263,21 +262,12 @@ namespace
         press(model, load);
         solid.push_back(deflections(model, {0})[0] / load);
         beam.push_back(BeamOnSleepers(rail_beam(0), 7, track).at_load());
-        check_near(solid.back() / beam.back(),
-                   1,
-                   0.03,
-                   std::to_string(60 * place) + " mm from a sleeper: deflection over that of the beam");
+        BOOST_TEST(near(solid.back() / beam.back(),
+                        1,
+                        0.03,
+                        std::to_string(60 * place) + " mm from a sleeper: deflection over that of the beam"));
       }
-    check(beam[5] > 1.01 * beam[0] && solid[5] > 1.01 * solid[0],
-          "the rail sinks more between sleepers than over one");
+    BOOST_TEST((beam[5] > 1.01 * beam[0] && solid[5] > 1.01 * solid[0]),
+               "the rail sinks more between sleepers than over one");
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  static_deflection();
-  over_a_bay();
-  return parallel.report();
-}

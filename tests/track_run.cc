@@ -38,15 +38,14 @@ namespace
   Summary
   result_of(const Scene &scene, const std::string &what)
   {
-    check(run(scene, false) == 0, what + ": the run ends");
+    BOOST_TEST(run(scene, false) == 0, what + ": the run ends");
     Summary summary = read_summary("track/summary.json");
-    check(summary.energy_error < 2e-3,
-          what + ": energy error below 0.2 %: " + std::to_string(100 * summary.energy_error) + " %");
+    BOOST_TEST(summary.energy_error < 2e-3,
+               what + ": energy error below 0.2 %: " + std::to_string(100 * summary.energy_error) + " %");
     return summary;
   }
 
-  void
-  very_stiff_pads()
+  BOOST_FIXTURE_TEST_CASE(very_stiff_pads, test::Parallel)
   {
     const Summary clamped = result_of(on(RailSupport::clamped_foot, 1.2), "clamped foot");
     Scene         scene   = on(RailSupport::continuous_pads, 1.2);
@@ -55,20 +54,20 @@ namespace
       scene.support.*stiffness = 1e12;
     const Summary stiff = result_of(scene, "very stiff pads");
     const auto    ratio = [&](const double Summary::*figure, const std::string &what) {
-      check_near(stiff.*figure / clamped.*figure, 1, 0.01, "very stiff pads over a clamped foot: " + what);
+      BOOST_TEST(
+        near(stiff.*figure / clamped.*figure, 1, 0.01, "very stiff pads over a clamped foot: " + what));
     };
     ratio(&Summary::vertical_force, "vertical force");
     ratio(&Summary::longitudinal_force, "longitudinal force");
     ratio(&Summary::max_pressure, "peak pressure");
     ratio(&Summary::contact_area, "area");
     ratio(&Summary::max_shear_traction, "peak shear");
-    check(!std::isfinite(get_figure(clamped, "foot_deflection_m")), "a clamped foot has no deflection");
-    check(get_figure(stiff, "foot_deflection_m") < 1e-6, "very stiff pads hardly give way");
+    BOOST_TEST(!std::isfinite(get_figure(clamped, "foot_deflection_m")), "a clamped foot has no deflection");
+    BOOST_TEST(get_figure(stiff, "foot_deflection_m") < 1e-6, "very stiff pads hardly give way");
   }
 
   /// The same track at rest and in the first millimetres.
-  void
-  on_sleepers()
+  BOOST_FIXTURE_TEST_CASE(on_sleepers, test::Parallel)
   {
     Scene scene                = on(RailSupport::sleepers, 4);
     scene.support.pad_damping  = PadLoss::constant;
@@ -78,38 +77,30 @@ namespace
     Log   log;
     start_from_rest(scene, model, {}, log);
     const auto &track = dynamic_cast<const TrackSupport &>(*model.parts.front());
-    check_near(track.force_at_rest(model.solid)[1] / model.wheel_load,
-               -1,
-               2e-3,
-               "the static start stands on the pads: what they bear over the wheel load");
+    BOOST_TEST(near(track.force_at_rest(model.solid)[1] / model.wheel_load,
+                    -1,
+                    2e-3,
+                    "the static start stands on the pads: what they bear over the wheel load"));
     double ballast = 0;
     for (const Vector3 &place : track.sleeper_places())
       ballast += place[1] * scene.support.ballast_stiffness;
-    check_near(ballast / model.wheel_load, -1, 2e-3, "and on the ballast");
+    BOOST_TEST(near(ballast / model.wheel_load, -1, 2e-3, "and on the ballast"));
 
     const Summary summary = result_of(scene, "sleepers");
-    check_near(get_figure(summary, "first_force_over_load"), 1, 5e-3, "first force over the load");
-    check_near(summary.vertical_force / model.wheel_load, 1, 0.02, "mean force over the load");
+    BOOST_TEST(near(get_figure(summary, "first_force_over_load"), 1, 5e-3, "first force over the load"));
+    BOOST_TEST(near(summary.vertical_force / model.wheel_load, 1, 0.02, "mean force over the load"));
     // pads are softer at rest than at the frequency that they are given for
     const double beam = rail_bending(scene.support).deflection * model.wheel_load,
                  foot = get_figure(summary, "foot_deflection_m");
-    check_near(foot / beam, 1.1, 0.15, "deflection over that of Winkler's beam");
+    BOOST_TEST(near(foot / beam, 1.1, 0.15, "deflection over that of Winkler's beam"));
     const double most = get_figure(summary, "largest_pad_force_N") / model.wheel_load;
-    check(most > 0.2 && most < 0.5, "the most loaded pad bears a part of the load: " + std::to_string(most));
-    check(get_figure(summary, "largest_pad_pull_N") >= 0, "lifted pads pull");
+    BOOST_TEST((most > 0.2 && most < 0.5),
+               "the most loaded pad bears a part of the load: " + std::to_string(most));
+    BOOST_TEST(get_figure(summary, "largest_pad_pull_N") >= 0, "lifted pads pull");
     const History history = read_history("track/history.h5");
     for (const std::string &name : split_list("foot_deflection, pad_energy, pad_dissipation, sleeper_energy, "
                                               "ballast_energy, ballast_dissipation, end_dissipation"))
-      check(std::find(history.names.begin(), history.names.end(), name) != history.names.end(),
-            std::string("the history has ") + name);
+      BOOST_TEST((std::find(history.names.begin(), history.names.end(), name) != history.names.end()),
+                 std::string("the history has ") + name);
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Parallel parallel(argc, argv);
-  very_stiff_pads();
-  on_sleepers();
-  return parallel.report();
-}

@@ -33,8 +33,8 @@ namespace
   laws_of_damping()
   {
     const PadDamping damper = matched_damper(0.25, 449);
-    check_near(loss_factor(damper, 449), 0.25, 1e-12, "one damper: its loss factor at its frequency");
-    check_near(loss_factor(damper, 1261), 0.702, 1e-3, "and in proportion at another");
+    BOOST_TEST(near(loss_factor(damper, 449), 0.25, 1e-12, "one damper: its loss factor at its frequency"));
+    BOOST_TEST(near(loss_factor(damper, 1261), 0.702, 1e-3, "and in proportion at another"));
     for (const double loss : {0.02, 0.1, 0.25, 0.5})
       {
         const PadDamping constant = constant_loss(loss);
@@ -44,14 +44,15 @@ namespace
             low  = std::min(low, loss_factor(constant, f));
             high = std::max(high, loss_factor(constant, f));
           }
-        check_near(0.5 * (low + high) / loss, 1, 0.01, "three branches: loss factor over the wanted one");
-        check(high - low < 0.08 * loss, "and it is constant to 4 %");
+        BOOST_TEST(
+          near(0.5 * (low + high) / loss, 1, 0.01, "three branches: loss factor over the wanted one"));
+        BOOST_TEST(high - low < 0.08 * loss, "and it is constant to 4 %");
         for (const PadDamping::Branch &branch : constant.branches)
-          check(branch.share > 0 && branch.time > 0, "springs and dampers that lose energy");
+          BOOST_TEST((branch.share > 0 && branch.time > 0), "springs and dampers that lose energy");
       }
     const PadDamping quarter = constant_loss(0.25);
     const auto stiffness     = [&](const double f) { return quarter.dynamic_stiffness(2 * M_PI * f).real(); };
-    check_near(stiffness(1261) / stiffness(449), 1.175, 0.01, "a constant 0.25 stiffens by causality");
+    BOOST_TEST(near(stiffness(1261) / stiffness(449), 1.175, 0.01, "a constant 0.25 stiffens by causality"));
   }
 
   struct Track
@@ -103,11 +104,11 @@ namespace
         other.rolling->step(n == 20);
       }
     const ContactSums &a = one.rolling->contact_sums(), &b = other.rolling->contact_sums();
-    check_near(
-      b.force[1] / a.force[1], 1, 0.01, "very stiff pads: vertical force over that on a clamped foot");
-    check_near(b.force[2] / a.force[2], 1, 0.01, "longitudinal force");
-    check_near(b.largest_pressure / a.largest_pressure, 1, 0.01, "peak pressure");
-    check_near(other.axle->height() / one.axle->height(), 1, 0.01, "height of the axle");
+    BOOST_TEST(
+      near(b.force[1] / a.force[1], 1, 0.01, "very stiff pads: vertical force over that on a clamped foot"));
+    BOOST_TEST(near(b.force[2] / a.force[2], 1, 0.01, "longitudinal force"));
+    BOOST_TEST(near(b.largest_pressure / a.largest_pressure, 1, 0.01, "peak pressure"));
+    BOOST_TEST(near(other.axle->height() / one.axle->height(), 1, 0.01, "height of the axle"));
   }
 
   /// On sleepers that lie close, with pads that have a state of their own.
@@ -150,42 +151,41 @@ namespace
         rolling.step(n == 1 || n % 5 == 0);
         worst = std::max(worst, rolling.energy().error());
         if (n == 1)
-          check_near(rolling.contact_sums().force[1] / track.model.wheel_load,
-                     1,
-                     0.005,
-                     "the static start stands on pads and sleepers: first force over the weight");
+          BOOST_TEST(near(rolling.contact_sums().force[1] / track.model.wheel_load,
+                          1,
+                          0.005,
+                          "the static start stands on pads and sleepers: first force over the weight"));
       }
     const Checkpoint whole = saved(track, rank);
-    check(!whole.rolling.parts.at("track").values.empty(), "the pads' own state is saved");
+    BOOST_TEST(!whole.rolling.parts.at("track").values.empty(), "the pads' own state is saved");
     for (int n = 61; n <= 120; ++n)
       {
         rolling.step(n % 5 == 0);
         worst = std::max(worst, rolling.energy().error());
       }
-    check_near(worst, 0, 2e-3, "energy error, largest");
+    BOOST_TEST(near(worst, 0, 2e-3, "energy error, largest"));
     const EnergyBalance &energy = rolling.energy();
-    check(energy["pad_energy"] > 1 && energy["ballast_energy"] > 1 && energy["sleeper_energy"] > 0 &&
-            energy["pad_dissipation"] > 0 && energy["ballast_dissipation"] > 0,
-          "named energies");
+    BOOST_TEST((energy["pad_energy"] > 1 && energy["ballast_energy"] > 1 && energy["sleeper_energy"] > 0 &&
+                energy["pad_dissipation"] > 0 && energy["ballast_dissipation"] > 0),
+               "named energies");
 
     Track again = on_sleepers();
     again.set_out(0, 0);
     restore_checkpoint(whole, again.model, *again.rolling, *again.recorder, MPI_COMM_WORLD);
     for (int n = 61; n <= 120; ++n)
       again.rolling->step(n % 5 == 0);
-    check(again.axle->height() == track.axle->height() &&
-            again.rolling->energy()["pad_energy"] == energy["pad_energy"] &&
-            again.rolling->energy()["pad_dissipation"] == energy["pad_dissipation"],
-          "a run that goes on makes the same steps, bit for bit");
+    BOOST_TEST((again.axle->height() == track.axle->height() &&
+                again.rolling->energy()["pad_energy"] == energy["pad_energy"] &&
+                again.rolling->energy()["pad_dissipation"] == energy["pad_dissipation"]),
+               "a run that goes on makes the same steps, bit for bit");
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(track_support)
 {
-  Parallel parallel(argc, argv);
+  const Parallel parallel;
   laws_of_damping();
   very_stiff_pads();
   energy_and_resume(parallel.rank);
-  return parallel.report();
 }

@@ -12,7 +12,7 @@
 #include "scenes/contact.h"
 #include "scenes/dynamics.h"
 
-#include "check.h"
+#include "parallel.h"
 #include "reference_table.h"
 
 #include <algorithm>
@@ -30,8 +30,7 @@
 
 using namespace scenes;
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -149,7 +148,7 @@ namespace
     {
       while (scene_.time() < (way_ + 0.5 * patch_.along) / speed)
         scene_.step(scene_.steps() % 50 == 0);
-      check_near(scene_.energy().error(), 0, 2e-3, "energy error");
+      BOOST_TEST(near(scene_.energy().error(), 0, 2e-3, "energy error"));
       scene_.run_to(scene_.time() + rest);
       return left();
     }
@@ -292,40 +291,30 @@ namespace
     return left;
   }
 
-  void
-  elastic()
+  BOOST_FIXTURE_TEST_CASE(elastic, test::Parallel)
   {
     constexpr double peak       = 1200e6;
     const Patch      circle     = ellipse(peak, std::sqrt(1.5 * load / (M_PI * peak)), 0);
     const auto [largest, depth] = Passage(circle, 0, 1e-3).hardest();
-    check_near(
-      largest, 0.620, 0.01, "largest von Mises stress over the peak pressure (Johnson, 1985, section 3.4)");
-    check_near(depth, 0.48, 0.09, "its depth over the radius, cells of a seventh of it");
+    BOOST_TEST(near(
+      largest, 0.620, 0.01, "largest von Mises stress over the peak pressure (Johnson, 1985, section 3.4)"));
+    BOOST_TEST(near(depth, 0.48, 0.09, "its depth over the radius, cells of a seventh of it"));
   }
 
-  void
-  yielding()
+  BOOST_FIXTURE_TEST_CASE(yielding, test::Parallel)
   {
     const Left frictionless = report(ellipse(1198e6, 7e-3, 0), 680e6);
-    check(frictionless.strain > 1e-4 && frictionless.depth > 2e-3,
-          "680 MPa flows below the surface, without friction, too");
-    check(report(ellipse(1198e6, 7e-3, 0.25), 680e6).residual > 30e6,
-          "680 MPa: residual stress under traction");
-    check(report(ellipse(760e6, 11e-3, 0.25), 280e6).depth > 4e-3,
-          "280 MPa: an ellipse flows deeper than 4 mm");
+    BOOST_TEST((frictionless.strain > 1e-4 && frictionless.depth > 2e-3),
+               "680 MPa flows below the surface, without friction, too");
+    BOOST_TEST(report(ellipse(1198e6, 7e-3, 0.25), 680e6).residual > 30e6,
+               "680 MPa: residual stress under traction");
+    BOOST_TEST(report(ellipse(760e6, 11e-3, 0.25), 280e6).depth > 4e-3,
+               "280 MPa: an ellipse flows deeper than 4 mm");
 
     const Patch patch = patch_of_run("patch_280MPa.csv");
     const Left  run = report(patch, 280e6), fine = report(patch, 280e6, 0.7e-3);
-    check_near(run.depth, fine.depth, 0.7e-3, "patch of a run: depth on cells of 1 mm and of 0.7 mm [m]");
-    check_near(run.residual / fine.residual, 1, 0.1, "residual stress on these cells, ratio");
+    BOOST_TEST(
+      near(run.depth, fine.depth, 0.7e-3, "patch of a run: depth on cells of 1 mm and of 0.7 mm [m]"));
+    BOOST_TEST(near(run.residual / fine.residual, 1, 0.1, "residual stress on these cells, ratio"));
   }
 } // namespace
-
-int
-main(int argc, char **argv)
-{
-  Program program(argc, argv);
-  elastic();
-  yielding();
-  return test::report();
-}

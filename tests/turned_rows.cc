@@ -3,7 +3,7 @@
 // Displacements on rows whose normal turns from one to the next (conformal contact): against plain sums of
 // half-spaces' influences that are turned; rows turned alike are a plane.
 
-#include "check.h"
+#include "near.h"
 #include "quadratic_distance.h"
 
 #include <wheelrail/halfspace/turned_rows.h>
@@ -16,8 +16,8 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check_near;
-using test::check_relative;
+using test::near;
+using test::near_relative;
 using test::quadratic_distance;
 
 namespace
@@ -48,8 +48,7 @@ namespace
     return u;
   }
 
-  void
-  test_sums()
+  BOOST_AUTO_TEST_CASE(test_sums)
   {
     const HalfspaceProblem    problem = unlike_bodies();
     const HalfspaceGrid      &grid    = problem.grid;
@@ -90,17 +89,16 @@ namespace
               {worst, std::abs(found[1][std::size_t(i)] - y), std::abs(found[2][std::size_t(i)] - n)});
             largest = std::max({largest, std::abs(y), std::abs(n)});
           }
-        check_near(worst / largest, 0, 1e-9, slip ? "slip against sums" : "displacements against sums");
-        check_near(found[0][7], 0, 0, "nothing along the rows");
+        BOOST_TEST(near(worst / largest, 0, 1e-9, slip ? "slip against sums" : "displacements against sums"));
+        BOOST_TEST(near(found[0][7], 0, 0, "nothing along the rows"));
       }
     const Three plane = added(problem, std::vector<double>(5, 0.4), t, false);
-    check_near(plane[1][7] / 1e-6, 0, 1e-9, "rows turned alike: across");
-    check_near(plane[2][7] / 1e-6, 0, 1e-9, "rows turned alike: normal");
+    BOOST_TEST(near(plane[1][7] / 1e-6, 0, 1e-9, "rows turned alike: across"));
+    BOOST_TEST(near(plane[2][7] / 1e-6, 0, 1e-9, "rows turned alike: normal"));
   }
 
   /// Like materials: on turned rows pressure shifts the surfaces apart, tractions lift them.
-  void
-  test_solution()
+  BOOST_AUTO_TEST_CASE(test_solution)
   {
     HalfspaceProblem problem    = unlike_bodies();
     problem.body2               = problem.body1;
@@ -116,28 +114,21 @@ namespace
                             plane =
                               solve_turned(problem, std::vector<double>(angles.size(), 0.), 20, kernels),
                             flat = solve_rolling(problem);
-    check_relative(plane.peak_pressure, flat.peak_pressure, 1e-6, "no turn: peak pressure");
-    test::check(turned.converged() && turned.peak_pressure < flat.peak_pressure,
-                "turned: less peak pressure");
-    check_relative(turned.fn, 4000, 1e-6, "its force");
+    BOOST_TEST(near_relative(plane.peak_pressure, flat.peak_pressure, 1e-6, "no turn: peak pressure"));
+    BOOST_TEST((turned.converged() && turned.peak_pressure < flat.peak_pressure),
+               "turned: less peak pressure");
+    BOOST_TEST(near_relative(turned.fn, 4000, 1e-6, "its force"));
     // symmetric in y: the same to both sides, opposite across
     const auto at = [&](const std::vector<double> &field, const int row) {
       return field[std::size_t(problem.grid.mx / 2 + problem.grid.mx * (problem.grid.my / 2 + row))];
     };
-    check_relative(at(turned.pressure, 3), at(turned.pressure, -3), 1e-4, "pressures on both sides");
-    check_near((at(turned.traction_y, 3) + at(turned.traction_y, -3)) / turned.peak_pressure,
-               0,
-               1e-3,
-               "tractions across are opposite");
-    test::check(std::abs(at(turned.traction_y, 3)) > 1e-3 * turned.peak_pressure,
-                "and there, without creepage");
+    BOOST_TEST(
+      near_relative(at(turned.pressure, 3), at(turned.pressure, -3), 1e-4, "pressures on both sides"));
+    BOOST_TEST(near((at(turned.traction_y, 3) + at(turned.traction_y, -3)) / turned.peak_pressure,
+                    0,
+                    1e-3,
+                    "tractions across are opposite"));
+    BOOST_TEST(std::abs(at(turned.traction_y, 3)) > 1e-3 * turned.peak_pressure,
+               "and there, without creepage");
   }
 } // namespace
-
-int
-main()
-{
-  test_sums();
-  test_solution();
-  return test::report();
-}

@@ -219,25 +219,25 @@ namespace
     prepare_parts(track.model.parts, solid);
     const double added = track.foot->squared_frequency(solid);
     lower_stable_step(solid, track.model.parts);
-    check(added > stiffness / mass, "the part stiffens the scene");
-    check_near(4 / (solid.stable.step * solid.stable.step) - 4 / (before * before),
-               added,
-               1e-3 * added,
-               "the stable step is that of bodies and part [1/s2]");
+    BOOST_TEST(added > stiffness / mass, "the part stiffens the scene");
+    BOOST_TEST(near(4 / (solid.stable.step * solid.stable.step) - 4 / (before * before),
+                    added,
+                    1e-3 * added,
+                    "the stable step is that of bodies and part [1/s2]"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(unknown_part)
 {
-  Parallel parallel(argc, argv);
-  Track    track;
+  const Parallel parallel;
+  Track          track;
   stable_step(track);
   Log            log;
   const RunStart start = start_from_rest(track.scene, track.model, {}, log);
-  check(track.foot->place() < 0,
-        "the static start stands on the mass, which gives way: " + std::to_string(1e6 * track.foot->place()) +
-          " um");
+  BOOST_TEST(track.foot->place() < 0,
+             "the static start stands on the mass, which gives way: " +
+               std::to_string(1e6 * track.foot->place()) + " um");
   track.set_out(start.hub_displacement, start.rate);
 
   Rolling   &rolling = *track.rolling;
@@ -250,26 +250,25 @@ main(int argc, char **argv)
     worst              = energy ? std::max(worst, rolling.energy().error()) : worst;
   };
   step(true);
-  check_near(high, 1, 0.005, "first step: vertical force over the weight");
+  BOOST_TEST(near(high, 1, 0.005, "first step: vertical force over the weight"));
   for (int n = 2; n <= 120; ++n)
     step(n % 5 == 0);
   const Checkpoint whole = saved(track, parallel.rank);
-  check(whole.rolling.parts.at("sprung_foot").numbers.at("place") == track.foot->place(),
-        "the part's state is saved");
+  BOOST_TEST((whole.rolling.parts.at("sprung_foot").numbers.at("place") == track.foot->place()),
+             "the part's state is saved");
   for (int n = 121; n <= 240; ++n)
     step(n % 5 == 0);
-  check_near(low, 1, 0.03, "smallest vertical force over the weight");
-  check_near(high, 1, 0.03, "largest vertical force over the weight");
-  check_near(worst, 0, 2e-3, "energy error, largest");
-  check(rolling.energy()["foot_spring_energy"] > 0, "named energies");
+  BOOST_TEST(near(low, 1, 0.03, "smallest vertical force over the weight"));
+  BOOST_TEST(near(high, 1, 0.03, "largest vertical force over the weight"));
+  BOOST_TEST(near(worst, 0, 2e-3, "energy error, largest"));
+  BOOST_TEST(rolling.energy()["foot_spring_energy"] > 0, "named energies");
 
   Track again;
   again.set_out(0, 0);
   restore_checkpoint(whole, again.model, *again.rolling, *again.recorder, MPI_COMM_WORLD);
   for (int n = 121; n <= 240; ++n)
     again.rolling->step(n % 5 == 0);
-  check(again.foot->place() == track.foot->place() && again.axle->height() == track.axle->height() &&
-          again.rolling->energy()["foot_spring_energy"] == rolling.energy()["foot_spring_energy"],
-        "a run that goes on makes the same steps, bit for bit");
-  return parallel.report();
+  BOOST_TEST((again.foot->place() == track.foot->place() && again.axle->height() == track.axle->height() &&
+              again.rolling->energy()["foot_spring_energy"] == rolling.energy()["foot_spring_energy"]),
+             "a run that goes on makes the same steps, bit for bit");
 }

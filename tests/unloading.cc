@@ -79,16 +79,17 @@ namespace
     Solid       &solid  = rolled.model.solid;
     const double loaded = largest_stress(solid);
     const auto   done   = unload(*rolled.model.discretization, solid, rolled.model.parts, *rolled.axle);
-    check(largest_stress(solid) == loaded, "the bodies are left as they were");
+    BOOST_TEST((largest_stress(solid) == loaded), "the bodies are left as they were");
     const WhileUnloaded without(solid, done);
-    check(loaded > 300e6, "a loaded wheel");
-    check_near(largest_stress(solid) / loaded, 0, 1e-4, "elastic bodies: stress left over that of the load");
-    check(done.steps <= 4, "elastic bodies: " + std::to_string(done.steps) + " Newton steps");
+    BOOST_TEST(loaded > 300e6, "a loaded wheel");
+    BOOST_TEST(
+      near(largest_stress(solid) / loaded, 0, 1e-4, "elastic bodies: stress left over that of the load"));
+    BOOST_TEST(done.steps <= 4, "elastic bodies: " + std::to_string(done.steps) + " Newton steps");
     double moved = 0;
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       if (solid.mesh.node_body[n] == Body::rail)
         moved = std::max(moved, std::abs(solid.displacement[4 * n + 1]));
-    check_near(over_ranks(moved, MPI_MAX), 0, 1e-8, "the rail has its shape again [m]");
+    BOOST_TEST(near(over_ranks(moved, MPI_MAX), 0, 1e-8, "the rail has its shape again [m]"));
   }
 
   /// Mean over the rail's volume of a stress component over that of its size [1]: zero for stresses in
@@ -111,19 +112,19 @@ namespace
   steel_that_flowed(Rolled &rolled)
   {
     Solid &solid = rolled.model.solid;
-    check(one_sidedness(solid, 1) < -0.5, "under the wheel the rail is pressed down");
+    BOOST_TEST(one_sidedness(solid, 1) < -0.5, "under the wheel the rail is pressed down");
     const WhileUnloaded without(
       solid, unload(*rolled.model.discretization, solid, rolled.model.parts, *rolled.axle));
     const double left = largest_stress(solid);
-    check(left > 0.05 * yield_stress, "stress is left: " + std::to_string(1e-6 * left) + " MPa");
+    BOOST_TEST(left > 0.05 * yield_stress, "stress is left: " + std::to_string(1e-6 * left) + " MPa");
     // hardened by the largest plastic strain
     double strain = 0;
     for (const Body body : both_bodies)
       for (const double value : element_plastic_strain(solid.blocks[body]))
         strain = std::max(strain, value);
     strain = over_ranks(strain, MPI_MAX);
-    check(left < yield_stress + 1.5 * tangent * strain, "no more than steel can bear");
-    check_near(one_sidedness(solid, 0), 0, 0.03, "stress xx over the rail, one-sided");
+    BOOST_TEST(left < yield_stress + 1.5 * tangent * strain, "no more than steel can bear");
+    BOOST_TEST(near(one_sidedness(solid, 0), 0, 0.03, "stress xx over the rail, one-sided"));
     return left;
   }
 
@@ -148,17 +149,16 @@ namespace
     rolled.axle->set_state(turned);
     const WhileUnloaded without(
       solid, unload(*rolled.model.discretization, solid, rolled.model.parts, *rolled.axle));
-    check_near(largest_stress(solid) / left, 1, 1e-4, "stress left in a wheel that has turned on by 0.3 rad");
+    BOOST_TEST(
+      near(largest_stress(solid) / left, 1, 1e-4, "stress left in a wheel that has turned on by 0.3 rad"));
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_FIXTURE_TEST_CASE(unloading, test::Parallel)
 {
-  Parallel parallel(argc, argv);
   elastic_bodies();
   Rolled       rolled = roll(true, 0.5e-3);
   const double left   = steel_that_flowed(rolled);
   turned_wheel(rolled, left);
-  return parallel.report();
 }

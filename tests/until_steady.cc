@@ -38,46 +38,45 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char **argv)
+
+BOOST_AUTO_TEST_CASE(until_steady)
 {
-  Parallel    parallel(argc, argv);
-  const Scene whole = scene("whole"), broken = scene("broken");
-  check(run(whole, false, 120) == 3, "interrupted soon after the start");
+  const Parallel parallel;
+  const Scene    whole = scene("whole"), broken = scene("broken");
+  BOOST_TEST(run(whole, false, 120) == 3, "interrupted soon after the start");
   if (parallel.rank == 0)
     {
       fs::remove_all(broken.folder);
       fs::copy(whole.folder, broken.folder);
     }
   MPI_Barrier(MPI_COMM_WORLD);
-  check(run(whole, true) == 0, "gone on to the end in one go");
+  BOOST_TEST(run(whole, true) == 0, "gone on to the end in one go");
   const Summary end = read_summary(whole.folder + "/summary.json");
-  check(end.ended == "steady" && end.finished, "it is steady: " + end.ended_because);
-  check(end.rolled_distance < 0.95 * whole.longest_distance, "before its longest distance");
+  BOOST_TEST((end.ended == "steady" && end.finished), "it is steady: " + end.ended_because);
+  BOOST_TEST(end.rolled_distance < 0.95 * whole.longest_distance, "before its longest distance");
   const double from = get_figure(end, "means_from_m"), length = end.rolled_distance - from;
-  check(from >= end.patch_longitudinal, "means begin one patch length past the start");
-  check_near(length / 4e-3, std::round(length / 4e-3), 0.02, "over whole cells");
-  check(get_figure(end, "normal_force_error_N") > 0 &&
-          get_figure(end, "normal_force_error_N") < 0.05 * 0.5 * end.normal_force,
-        "with a standard error below the one asked for");
+  BOOST_TEST(from >= end.patch_longitudinal, "means begin one patch length past the start");
+  BOOST_TEST(near(length / 4e-3, std::round(length / 4e-3), 0.02, "over whole cells"));
+  BOOST_TEST((get_figure(end, "normal_force_error_N") > 0 &&
+              get_figure(end, "normal_force_error_N") < 0.05 * 0.5 * end.normal_force),
+             "with a standard error below the one asked for");
 
   const auto half = static_cast<unsigned long>(0.5 * end.time_steps);
-  check(run(broken, true, half) == 3, "the other is interrupted half way");
-  check(run(broken, true) == 0, "and goes on to the end");
+  BOOST_TEST(run(broken, true, half) == 3, "the other is interrupted half way");
+  BOOST_TEST(run(broken, true) == 0, "and goes on to the end");
   const Summary other = read_summary(broken.folder + "/summary.json");
   const History a     = read_history(whole.folder + "/history.h5"),
                 b     = read_history(broken.folder + "/history.h5");
-  check(a.columns[0].size() > 50 && a.columns == b.columns, "the same history");
-  check(other.ended == "steady" && other.time_steps == end.time_steps, "it ends at the same step");
+  BOOST_TEST((a.columns[0].size() > 50 && a.columns == b.columns), "the same history");
+  BOOST_TEST((other.ended == "steady" && other.time_steps == end.time_steps), "it ends at the same step");
   for (const char *key : {"normal_force_N", "creepage", "creepage_error", "means_from_m"})
-    check(get_figure(other, key) == get_figure(end, key), std::string("the same ") + key);
+    BOOST_TEST((get_figure(other, key) == get_figure(end, key)), std::string("the same ") + key);
 
   Scene spins                = scene("spins");
   spins.traction_coefficient = 0.6; // of friction 0.5
   spins.longest_distance     = 45e-3;
-  check(run(spins, false) == 0, "a wheel that spins up");
+  BOOST_TEST(run(spins, false) == 0, "a wheel that spins up");
   const Summary spun = read_summary(spins.folder + "/summary.json");
-  check(spun.ended == "not steady" && spun.finished, "is not steady: " + spun.ended_because);
-  check_near(spun.rolled_distance, 45e-3, 1e-9, "and rolls to the end");
-  return parallel.report();
+  BOOST_TEST((spun.ended == "not steady" && spun.finished), "is not steady: " + spun.ended_because);
+  BOOST_TEST(near(spun.rolled_distance, 45e-3, 1e-9, "and rolls to the end"));
 }

@@ -6,8 +6,8 @@
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
 
-#include "check.h"
 #include "good_measures.h"
+#include "near.h"
 
 #include <cmath>
 #include <string>
@@ -25,15 +25,14 @@ namespace
     Measures m            = good();
     m.*measure            = value;
     const Verdict verdict = judge_run(Scene(), m);
-    check(verdict.grade() == grade, "\"" + part + "\": " + grade_word(verdict.grade()));
+    BOOST_TEST((verdict.grade() == grade), "\"" + part + "\": " + grade_word(verdict.grade()));
     holds(verdict.doubts(), part, "what is off");
-    check(grade == Grade::trusted || verdict.findings.size() == 1, "it alone is told");
+    BOOST_TEST((grade == Grade::trusted || verdict.findings.size() == 1), "it alone is told");
   }
 
-  void
-  test_rules()
+  BOOST_AUTO_TEST_CASE(test_rules)
   {
-    check(judge_run(Scene(), good()).findings.empty(), "the main scene is trusted");
+    BOOST_TEST(judge_run(Scene(), good()).findings.empty(), "the main scene is trusted");
     const Grade care = Grade::with_care, no = Grade::not_trusted;
     test_rule(
       &Measures::cells,
@@ -106,43 +105,42 @@ namespace
   }
 
   /// Cells and penalty are judged whatever half-spaces know of the scene.
-  void
-  test_without_reference()
+  BOOST_AUTO_TEST_CASE(test_without_reference)
   {
     Measures m        = good();
     m.plastic_strain  = 2.9e-3;
     m.peak_difference = -0.123;
     Verdict verdict   = judge_run(Scene(), m);
-    check(verdict.findings.empty(), "yielding is no fault");
-    check_text(
-      verdict.limits, "steel has yielded (plastic strain up to 2.9e-3)", "and takes the reference away");
-    check_text(
+    BOOST_TEST(verdict.findings.empty(), "yielding is no fault");
+    BOOST_TEST(same_text(
+      verdict.limits, "steel has yielded (plastic strain up to 2.9e-3)", "and takes the reference away"));
+    BOOST_TEST(same_text(
       difference_of_models(m, verdict),
       "the peak pressure is 12 % below that of half-spaces under the same force and in the same position: "
       "the half-space solution is not a reliable reference here, since steel has yielded (plastic strain up "
       "to 2.9e-3)",
-      "which is said");
+      "which is said"));
     m.cells_across_peak = 1.3;
-    check(judge_run(Scene(), m).grade() == Grade::not_trusted, "cells are judged where steel flows");
+    BOOST_TEST((judge_run(Scene(), m).grade() == Grade::not_trusted), "cells are judged where steel flows");
     m.plastic_strain = 0;
     m.turn           = 0.5;
     verdict          = judge_run(Scene(), m);
-    check(verdict.grade() == Grade::not_trusted, "and where the surfaces turn");
-    check_text(verdict.limits, "the surfaces turn by 29 degrees across the patch", "with the limit");
+    BOOST_TEST((verdict.grade() == Grade::not_trusted), "and where the surfaces turn");
+    BOOST_TEST(
+      same_text(verdict.limits, "the surfaces turn by 29 degrees across the patch", "with the limit"));
     m.turn    = 0.1;
     m.patches = 2;
     verdict   = judge_run(Scene(), m);
-    check(verdict.findings.size() == 1, "cells, with two patches");
-    check_text(verdict.limits, "the run has 2 patches", "with the limit");
+    BOOST_TEST(verdict.findings.size() == 1, "cells, with two patches");
+    BOOST_TEST(same_text(verdict.limits, "the run has 2 patches", "with the limit"));
     m              = good();
     m.no_reference = "the peak pressure could not be held against half-spaces: no contact";
-    check(judge_run(Scene(), m).grade() == Grade::with_care, "without a reference care is needed");
+    BOOST_TEST((judge_run(Scene(), m).grade() == Grade::with_care), "without a reference care is needed");
   }
 
   /// The wear of the main scene and of the quick start, whose sections are 15 and 34 % larger than those of
   /// half-spaces, and of a patch of which all slides.
-  void
-  test_wear()
+  BOOST_AUTO_TEST_CASE(test_wear)
   {
     Scene   scene;
     Summary run;
@@ -154,7 +152,7 @@ namespace
     holds(wear_doubt(scene, run), "Wear is not trusted: 1.9 cells of 2 mm lie across", "quick start");
     scene.cell_size    = 1e-3;
     run.stick_fraction = 0;
-    check_text(wear_doubt(scene, run), "", "wear of a patch that slides");
+    BOOST_TEST(same_text(wear_doubt(scene, run), "", "wear of a patch that slides"));
     scene.traction_coefficient = 0.25;
     holds(measures_of_run(scene, run).slides, "the wheel spins up", "friction does not carry the torque");
     set_figure(run, "torque_miss", 0.01);
@@ -162,8 +160,7 @@ namespace
   }
 
   /// Over irregular surfaces: means where the wheel flies, and a force that still rises at the end.
-  void
-  test_way()
+  BOOST_AUTO_TEST_CASE(test_way)
   {
     Scene scene;
     scene.irregularities[0].kind = IrregularKind::dent;
@@ -178,58 +175,63 @@ namespace
     set_figure(run, "wheel_load_N", 80e3);
     set_figure(run, "largest_vertical_force_at_m", 0.072);
     set_figure(run, "cells_across_peak", 6);
-    check_text(judge_run(scene, measures_of_run(scene, run)).doubts(), "", "a run over a dent is trusted");
+    BOOST_TEST(
+      same_text(judge_run(scene, measures_of_run(scene, run)).doubts(), "", "a run over a dent is trusted"));
     set_figure(run, "largest_vertical_force_at_m", 0.1198);
-    check_text(judge_run(scene, measures_of_run(scene, run)).doubts(),
-               "The largest vertical force acts at the end of the path, 119.8 mm, so that a larger one may "
-               "come behind it; roll farther (Run/Rolling distance).",
-               "a force that still rises");
+    BOOST_TEST(
+      same_text(judge_run(scene, measures_of_run(scene, run)).doubts(),
+                "The largest vertical force acts at the end of the path, 119.8 mm, so that a larger one may "
+                "come behind it; roll farther (Run/Rolling distance).",
+                "a force that still rises"));
     set_figure(run, "largest_vertical_force_at_m", 0.072);
     Summary crossing = run;
     set_figure(crossing, "second_rail_force_at_m", 0.1199);
-    check_text(
+    BOOST_TEST(same_text(
       judge_run(scene, measures_of_run(scene, crossing)).doubts(),
       "The largest vertical force on the second rail acts at the end of the path, 119.9 mm, so that a "
       "larger one may come behind it; roll farther (Run/Rolling distance).",
-      "a force that still rises on one of two rails");
+      "a force that still rises on one of two rails"));
     set_figure(crossing, "second_rail_force_at_m", 0.1);
-    check_text(judge_run(scene, measures_of_run(scene, crossing)).doubts(), "", "one that has fallen");
+    BOOST_TEST(
+      same_text(judge_run(scene, measures_of_run(scene, crossing)).doubts(), "", "one that has fallen"));
     Summary two       = run;
     two.patch_lateral = 72e-3;
     set_figure(two, "patches", 2);
-    check_near(
-      measures_of_run(scene, two).cells, 6, 0, "cells of the patch with the peak, not of two together");
+    BOOST_TEST(
+      near(measures_of_run(scene, two).cells, 6, 0, "cells of the patch with the peak, not of two together"));
     run.vertical_force     = 0.8e3;
     run.patch_longitudinal = 0;
     const Verdict verdict  = judge_run(scene, measures_of_run(scene, run));
-    check_text(verdict.doubts(),
-               "The wheel carries 1.0 % of its load where the means are taken: it is off the rail there, and "
-               "they say nothing of the contact; take Run/Evaluate at = largest force.",
-               "a wheel off the rail, and nothing of its cells");
-    check(verdict.grade() == Grade::with_care, "is no fault of the run");
+    BOOST_TEST(same_text(
+      verdict.doubts(),
+      "The wheel carries 1.0 % of its load where the means are taken: it is off the rail there, and "
+      "they say nothing of the contact; take Run/Evaluate at = largest force.",
+      "a wheel off the rail, and nothing of its cells"));
+    BOOST_TEST((verdict.grade() == Grade::with_care), "is no fault of the run");
 
     set_figure(run, "largest_vertical_force_at_m", 0.072);
     run.vertical_force     = 120e3;
     run.patch_longitudinal = 12e-3;
     scene.support.kind     = RailSupport::clamped_foot;
     const Verdict clamped  = judge_run(scene, measures_of_run(scene, run));
-    check_text(clamped.doubts(),
-               "The rail's foot is clamped: the largest force may be twice that of a rail on sleepers; take "
-               "Track/Support = sleepers, as prm/sleepers.prm does.",
-               "an impact on a clamped foot");
-    check(clamped.grade() == Grade::with_care, "is never trusted");
+    BOOST_TEST(
+      same_text(clamped.doubts(),
+                "The rail's foot is clamped: the largest force may be twice that of a rail on sleepers; take "
+                "Track/Support = sleepers, as prm/sleepers.prm does.",
+                "an impact on a clamped foot"));
+    BOOST_TEST((clamped.grade() == Grade::with_care), "is never trusted");
     scene.irregularities[0].kind = IrregularKind::none;
-    check(judge_run(scene, good()).findings.empty(), "a smooth surface on it is");
+    BOOST_TEST(judge_run(scene, good()).findings.empty(), "a smooth surface on it is");
     scene.support.kind = RailSupport::sleepers;
     scene.rail_length  = 1.8;
-    check_text(judge_run(scene, good()).doubts(),
-               "The rail of 1.8 m is short for its support: its free ends make it sink and tilt more than a "
-               "long one; take Track/Rail length = 3.1 m.",
-               "a short rail on sleepers");
+    BOOST_TEST(
+      same_text(judge_run(scene, good()).doubts(),
+                "The rail of 1.8 m is short for its support: its free ends make it sink and tilt more than a "
+                "long one; take Track/Rail length = 3.1 m.",
+                "a short rail on sleepers"));
   }
 
-  void
-  test_words()
+  BOOST_AUTO_TEST_CASE(test_words)
   {
     Measures m     = good();
     m.made_up      = "the wheel's flange tip";
@@ -238,28 +240,27 @@ namespace
     Summary summary;
     summary.finished = true;
     set_verdict(summary, judge_run(Scene(), m));
-    check_text(verdict_of(summary), "not trusted", "the lowest grade counts");
+    BOOST_TEST(same_text(verdict_of(summary), "not trusted", "the lowest grade counts"));
     holds(verdict_line(summary),
           "verdict: not trusted: The patch, 31.2 mm from the running circle to the gauge side, lies on the "
           "wheel's "
           "flange tip, which no file holds",
           "worst first, with its place");
     holds(summary.doubts, " The energy balance is off", "then the others");
-    check(grade_of(summary) == Grade::not_trusted, "read back as a grade");
+    BOOST_TEST((grade_of(summary) == Grade::not_trusted), "read back as a grade");
     summary.finished = false;
-    check_text(
-      verdict_line(summary).substr(0, 43), "verdict: not trusted: it did not finish", "what did not finish");
+    BOOST_TEST(same_text(
+      verdict_line(summary).substr(0, 43), "verdict: not trusted: it did not finish", "what did not finish"));
 
     // summaries of before there were three words
     Summary old;
     old.finished = true;
-    check(grade_of(old) == Grade::trusted, "an old summary without doubts");
+    BOOST_TEST((grade_of(old) == Grade::trusted), "an old summary without doubts");
     old.doubts = "the energy balance is off.";
-    check(grade_of(old) == Grade::not_trusted, "an old summary with doubts");
+    BOOST_TEST((grade_of(old) == Grade::not_trusted), "an old summary with doubts");
   }
 
-  void
-  test_agreement()
+  BOOST_AUTO_TEST_CASE(test_agreement)
   {
     const auto has = [](const Measures &m, const std::string &part) {
       holds(agreement_sentence(Scene(), m, judge_run(Scene(), m)), part, "agreement");
@@ -288,31 +289,31 @@ namespace
         "reference here "
         "since the surfaces turn by 29 degrees across the patch, by 1.5 %");
     m.bodies_difference = -0.3;
-    check(judge_run(Scene(), m).doubts().find("30 % below that of the true bodies under the same forces") !=
-            std::string::npos,
-          "true bodies judge where half-spaces cannot");
+    BOOST_TEST(
+      (judge_run(Scene(), m).doubts().find("30 % below that of the true bodies under the same forces") !=
+       std::string::npos),
+      "true bodies judge where half-spaces cannot");
     m        = good();
     m.beyond = {"creepage by +6.20 % (limit 5 % or 0.15 1e-3)", "contact area by -7.00 % (limit 5 %)"};
     has(
       m,
       " Beyond their limits: creepage by +6.20 % (limit 5 % or 0.15 1e-3), contact area by -7.00 % (limit 5 "
       "%).");
-    check(judge_run(Scene(), m).findings.empty(), "which the verdict leaves to the reader");
+    BOOST_TEST(judge_run(Scene(), m).findings.empty(), "which the verdict leaves to the reader");
     m       = good();
     m.cells = 2;
-    check(agreement_sentence(Scene(), m, judge_run(Scene(), m)).find("Of the difference") ==
-            std::string::npos,
-          "no rule of parts is known for so few cells");
+    BOOST_TEST(
+      (agreement_sentence(Scene(), m, judge_run(Scene(), m)).find("Of the difference") == std::string::npos),
+      "no rule of parts is known for so few cells");
     // the parts of doc/manual/compare.md: 13 cells, f = 10
-    check_near(good().penalty_part(), -0.0067, 2e-4, "what the penalty contact takes from the peak");
-    check_near(good().mesh_part(), -0.0079, 2e-4, "what the cells take");
-    check_near(good().lost(), 0.0146, 2e-4, "and both, as bodies confirm it");
+    BOOST_TEST(near(good().penalty_part(), -0.0067, 2e-4, "what the penalty contact takes from the peak"));
+    BOOST_TEST(near(good().mesh_part(), -0.0079, 2e-4, "what the cells take"));
+    BOOST_TEST(near(good().lost(), 0.0146, 2e-4, "and both, as bodies confirm it"));
   }
 
   /// Elastic bodies beyond the shakedown of their steel: of the weaker, of the given yield stress, of the
   /// hardest listed.
-  void
-  test_steels()
+  BOOST_AUTO_TEST_CASE(test_steels)
   {
     const auto doubt = [](const std::vector<std::string> &settings,
                           const double                    peak,
@@ -321,10 +322,10 @@ namespace
       return steel_doubt(scene_from_text("", "x.prm", settings).scene, peak, traction, computed);
     };
     holds(doubt({}, 2421e6, 0), "R350HT, the hardest listed, 1764 MPa", "no steel is named");
-    check(doubt({}, 1300e6, 0.25).empty(), "the main scene is below");
+    BOOST_TEST(doubt({}, 1300e6, 0.25).empty(), "the main scene is below");
     // 4 k, k = 0.55 880 MPa/sqrt(3)
     holds(doubt({"Rail material/Steel = R260"}, 1200e6, 0), "of R260 1118 MPa at a traction of 0.00", "R260");
-    check(doubt({"Rail material/Steel = R260"}, 1100e6, 0).empty(), "R260 below its limit");
+    BOOST_TEST(doubt({"Rail material/Steel = R260"}, 1100e6, 0).empty(), "R260 below its limit");
     holds(
       doubt({"Rail material/Steel = R260"}, 1000e6, 0.25), "of R260 851 MPa", "traction lowers the limit");
     holds(doubt({"Rail material/Steel = R350HT", "Wheel material/Steel = ER7"}, 1300e6, 0),
@@ -333,12 +334,12 @@ namespace
     holds(doubt({"Rail material/Steel = R200", "Rail material/Yield stress = 600 MPa"}, 1500e6, 0),
           "of a yield stress of 600 MPa 1386 MPa",
           "a given yield stress goes before the name");
-    check(
+    BOOST_TEST(
       doubt({"Rail material/Steel = R200", "Rail material/Yield stress = 600 MPa"}, 1500e6, 0, true).empty(),
       "a run computes it");
     Measures m       = good();
     m.plastic_strain = 4.2e-3;
-    check(judge_run(Scene(), m).grade() == Grade::trusted, "plastic strain on 12.8 cells");
+    BOOST_TEST((judge_run(Scene(), m).grade() == Grade::trusted), "plastic strain on 12.8 cells");
     m.cells = 9.5;
     holds(
       judge_run(Scene(), m).doubts(), "about 26 % below that of the steel", "plastic strain on 9.5 cells");
@@ -346,20 +347,7 @@ namespace
     holds(judge_run(Scene(), m).doubts(), " mm, far below that of the steel", "plastic strain on 2 cells");
     m        = good();
     m.yields = "this steel yields.";
-    check(judge_run(Scene(), m).grade() == Grade::with_care, "a run is then with care");
-    check(judge_halfspaces(m).grade() == Grade::with_care, "and half-spaces are");
+    BOOST_TEST((judge_run(Scene(), m).grade() == Grade::with_care), "a run is then with care");
+    BOOST_TEST((judge_halfspaces(m).grade() == Grade::with_care), "and half-spaces are");
   }
 } // namespace
-
-int
-main()
-{
-  test_steels();
-  test_rules();
-  test_without_reference();
-  test_wear();
-  test_way();
-  test_words();
-  test_agreement();
-  return report();
-}

@@ -2,7 +2,7 @@
 
 // Laws of wear and cracks at their breakpoints, and wear across the rail against the work that is done.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/bodies/body_contact.h>
@@ -18,46 +18,44 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
-  void
-  test_laws()
+  BOOST_AUTO_TEST_CASE(test_laws)
   {
     const auto rate = [](const double t) { return 1e3 * usfd_wear_rate(1e6 * t); }; // ug/(m mm2)
-    check_near(rate(1), 5.3, 1e-12, "5.3 T/A ug/(m mm2)");
-    check_near(rate(10.4), 55.0, 1e-12, "55.0 from 10.4 N/mm2 on");
-    check_near(rate(10.4 - 1e-9), 55.0, 1e-6, "to which the first branch rises");
-    check_near(rate(77), 55.0, 1e-12, "to 77.2 N/mm2");
-    check_near(rate(77.2 + 1e-9), 55.0, 1e-6, "and on, where the source jumps to nothing");
-    check_near(rate(100), 61.9 * 100 - 4778.7, 1e-9, "then 61.9 T/A - 4778.7");
-    check(std::isnan(rate(std::nan(""))), "no rate where T-gamma is not determined");
-    check_near(rate(4778.7 / 61.9 + 55 / 61.9), 55, 1e-9, "which begins at the plateau");
+    BOOST_TEST(near(rate(1), 5.3, 1e-12, "5.3 T/A ug/(m mm2)"));
+    BOOST_TEST(near(rate(10.4), 55.0, 1e-12, "55.0 from 10.4 N/mm2 on"));
+    BOOST_TEST(near(rate(10.4 - 1e-9), 55.0, 1e-6, "to which the first branch rises"));
+    BOOST_TEST(near(rate(77), 55.0, 1e-12, "to 77.2 N/mm2"));
+    BOOST_TEST(near(rate(77.2 + 1e-9), 55.0, 1e-6, "and on, where the source jumps to nothing"));
+    BOOST_TEST(near(rate(100), 61.9 * 100 - 4778.7, 1e-9, "then 61.9 T/A - 4778.7"));
+    BOOST_TEST(std::isnan(rate(std::nan(""))), "no rate where T-gamma is not determined");
+    BOOST_TEST(near(rate(4778.7 / 61.9 + 55 / 61.9), 55, 1e-9, "which begins at the plateau"));
 
     const WearData data;
-    check_near(burstow_damage(15, data), 0, 0, "no damage at 15 N");
-    check_near(burstow_damage(40, data), 0.5e-5, 1e-18, "half of it at 40 N");
-    check_near(burstow_damage(65, data), 1e-5, 1e-18, "all at 65 N");
-    check_near(burstow_damage(120, data), 0.5e-5, 1e-18, "half of it at 120 N");
-    check_near(burstow_damage(175, data), 0, 0, "none at 175 N");
-    check_near(burstow_damage(500, data), 0, 0, "none beyond");
+    BOOST_TEST(near(burstow_damage(15, data), 0, 0, "no damage at 15 N"));
+    BOOST_TEST(near(burstow_damage(40, data), 0.5e-5, 1e-18, "half of it at 40 N"));
+    BOOST_TEST(near(burstow_damage(65, data), 1e-5, 1e-18, "all at 65 N"));
+    BOOST_TEST(near(burstow_damage(120, data), 0.5e-5, 1e-18, "half of it at 120 N"));
+    BOOST_TEST(near(burstow_damage(175, data), 0, 0, "none at 175 N"));
+    BOOST_TEST(near(burstow_damage(500, data), 0, 0, "none beyond"));
 
-    check_near(fatigue_index(0.3, 300e6, 1000e6), 0, 1e-15, "the surface fatigues above mu = k/p0");
-    check_near(shakedown_limit(0), 4, 1e-12, "line contact shakes down up to 4 k (Johnson 1985)");
-    check_near(shakedown_limit(-0.2), 3.202, 1e-12, "with traction up to less, whichever way it points");
-    check_near(
-      shakedown_limit(1.2) / shakedown_limit(0.6), 0.5, 1e-12, "then by the traction of the surface");
-    check_near(archard_coefficient(0.1, 1e9, data), 5e-4, 0, "mild wear");
-    check_near(archard_coefficient(0.5, 1e9, data), 35e-4, 0, "severe wear at 0.2 to 0.7 m/s");
-    check_near(archard_coefficient(1, 1e9, data), 5e-4, 0, "mild again");
-    check_near(archard_coefficient(0.1, 2.1e9, data), 350e-4, 0, "seizure above 0.8 H");
+    BOOST_TEST(near(fatigue_index(0.3, 300e6, 1000e6), 0, 1e-15, "the surface fatigues above mu = k/p0"));
+    BOOST_TEST(near(shakedown_limit(0), 4, 1e-12, "line contact shakes down up to 4 k (Johnson 1985)"));
+    BOOST_TEST(
+      near(shakedown_limit(-0.2), 3.202, 1e-12, "with traction up to less, whichever way it points"));
+    BOOST_TEST(
+      near(shakedown_limit(1.2) / shakedown_limit(0.6), 0.5, 1e-12, "then by the traction of the surface"));
+    BOOST_TEST(near(archard_coefficient(0.1, 1e9, data), 5e-4, 0, "mild wear"));
+    BOOST_TEST(near(archard_coefficient(0.5, 1e9, data), 35e-4, 0, "severe wear at 0.2 to 0.7 m/s"));
+    BOOST_TEST(near(archard_coefficient(1, 1e9, data), 5e-4, 0, "mild again"));
+    BOOST_TEST(near(archard_coefficient(0.1, 2.1e9, data), 350e-4, 0, "seizure above 0.8 H"));
   }
 
   /// Pages draw the limits by which elastic results are judged.
-  void
-  test_drawn_limits()
+  BOOST_AUTO_TEST_CASE(test_drawn_limits)
   {
     std::istringstream script(read_whole_file(WHEELRAIL_SOURCE_DIR "/source/report/shakedown.py"));
     std::string        line;
@@ -66,13 +64,12 @@ namespace
     std::istringstream numbers(line.substr(line.find('[') + 1));
     int                k = 0;
     for (double limit = 0; numbers >> limit; ++k, numbers.ignore())
-      check_near(shakedown_limit(0.05 * k), limit, 1e-9, "limit of shakedown of the picture");
-    check(k == 13, "all of the picture's limits");
+      BOOST_TEST(near(shakedown_limit(0.05 * k), limit, 1e-9, "limit of shakedown of the picture"));
+    BOOST_TEST(k == 13, "all of the picture's limits");
   }
 
   /// V = k F s / H of whatever shape: a wheel that slides as a whole, and the main scene.
-  void
-  test_volume()
+  BOOST_AUTO_TEST_CASE(test_volume)
   {
     Scene scene                      = {};
     scene.wheel_load                 = 80e3;
@@ -92,30 +89,29 @@ namespace
         work += result.patch.area[e] * (result.patch.traction_along[e] * result.patch.slip_along[e] +
                                         result.patch.traction_lateral[e] * result.patch.slip_lateral[e]);
       }
-    check_near(over_width(profile, profile.depth) / (scene.wear.archard * slid / scene.wear.hardness),
-               1,
-               1e-12,
-               "section that is worn over k F s / H");
-    check_near(work / (scene.friction.at_rest * slid),
-               1,
-               1e-9,
-               "where all slides, work is friction times force times way");
-    check_near(over_width(profile, profile.work) / work, 1, 1e-12, "work over the width");
-    check_near(work / result.solution.creepage_work, 1, 0.01, "which is T-gamma where all slides");
+    BOOST_TEST(near(over_width(profile, profile.depth) / (scene.wear.archard * slid / scene.wear.hardness),
+                    1,
+                    1e-12,
+                    "section that is worn over k F s / H"));
+    BOOST_TEST(near(work / (scene.friction.at_rest * slid),
+                    1,
+                    1e-9,
+                    "where all slides, work is friction times force times way"));
+    BOOST_TEST(near(over_width(profile, profile.work) / work, 1, 1e-12, "work over the width"));
+    BOOST_TEST(near(work / result.solution.creepage_work, 1, 0.01, "which is T-gamma where all slides"));
     const WearProfile passed = halfspace_wear(result.problem, result.solution, scene.velocity, scene.wear);
-    check_near(over_width(passed, passed.depth) / over_width(profile, profile.depth),
-               1,
-               0.01,
-               "section from the ways of particles, where all slides");
-    check_near(over_width(passed, passed.work) / result.solution.friction_work, 1, 1e-12, "their work");
+    BOOST_TEST(near(over_width(passed, passed.depth) / over_width(profile, profile.depth),
+                    1,
+                    0.01,
+                    "section from the ways of particles, where all slides"));
+    BOOST_TEST(near(over_width(passed, passed.work) / result.solution.friction_work, 1, 1e-12, "their work"));
   }
 
   /// A ball that slides over a flat becomes a cap: pi h^2 (R - h/3) = k F s / H. Its worn shape is a ball
   /// with a flat of depth h at each moment; half-spaces press it on, and the ball loses what a passage takes.
   /// 1 kN over 1 km with k/H = 1e-8 mm2/N are 10 mm3, of a ball of 10 mm a cap of 0.5696 mm (as a paraboloid
   /// 0.5642 mm).
-  void
-  test_ball()
+  BOOST_AUTO_TEST_CASE(test_ball)
   {
     constexpr double ball = 10e-3, load = 1e3, way = 1e3, stages = 8;
     WearData         data;
@@ -131,7 +127,7 @@ namespace
       problem.normal_force        = load;
       problem.xi                  = -1; // it slides, everywhere
       const HalfspaceSolution s   = solve_rolling(problem);
-      check(s.converged() && !s.touches_grid_edge, "the contact of the worn ball is solved");
+      BOOST_TEST((s.converged() && !s.touches_grid_edge), "the contact of the worn ball is solved");
       const WearProfile worn = wear_profile(halfspace_patch(s), 1, data);
       return over_width(worn, worn.depth);
     };
@@ -148,13 +144,12 @@ namespace
         const double step = way / stages, middle = volume + 0.5 * step * 1e-14 * load;
         volume += step * volume_for_each_metre(cap(middle));
       }
-    check_near(volume / (1e-14 * load * way), 1, 1e-3, "volume that the ball lost over k F s / H");
-    check_near(1e3 * cap(volume), 0.5696, 0.5696e-3, "depth of the cap [mm]");
+    BOOST_TEST(near(volume / (1e-14 * load * way), 1, 1e-3, "volume that the ball lost over k F s / H"));
+    BOOST_TEST(near(1e3 * cap(volume), 0.5696, 0.5696e-3, "depth of the cap [mm]"));
   }
 
   /// Work of friction and work of the creepages of the main scene.
-  void
-  test_readings()
+  BOOST_AUTO_TEST_CASE(test_readings)
   {
     const Scene             scene    = read_scene(WHEELRAIL_SOURCE_DIR "/prm/rolling.prm", {}).scene;
     const SceneGeometry     geometry = make_geometry(scene);
@@ -172,20 +167,19 @@ namespace
           const int e = i + s.grid.mx * j;
           half += 0.5 * s.traction_y[e] * (slip[e] - slip[e - 1]) * s.grid.element_area();
         }
-    check_near((get_figure(figures, "friction_work_N") - half) / get_figure(figures, "creepage_work_N"),
-               1,
-               1e-3,
-               "work of friction over that of the creepages");
-    check_near(get_figure(figures, "frictional_power_W") /
-                 (get_figure(figures, "t_gamma_N") * scene.velocity),
-               1,
-               1e-12,
-               "power over work and speed");
+    BOOST_TEST(near((get_figure(figures, "friction_work_N") - half) / get_figure(figures, "creepage_work_N"),
+                    1,
+                    1e-3,
+                    "work of friction over that of the creepages"));
+    BOOST_TEST(
+      near(get_figure(figures, "frictional_power_W") / (get_figure(figures, "t_gamma_N") * scene.velocity),
+           1,
+           1e-12,
+           "power over work and speed"));
   }
 
   /// Figures of the main scene, from its T-gamma and its patch.
-  void
-  test_figures()
+  BOOST_AUTO_TEST_CASE(test_figures)
   {
     Scene scene                      = read_scene(WHEELRAIL_SOURCE_DIR "/prm/rolling.prm", {}).scene;
     scene.rail_material.yield_stress = 480e6;
@@ -193,33 +187,35 @@ namespace
     const Summary       figures      = halfspace_summary(
       scene, solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene)));
     const auto value = [&](const char *key) { return get_figure(figures, key); };
-    check_near(value("t_gamma_over_area_N_per_m2") * value("contact_area_m2") / value("t_gamma_N"),
-               1,
-               1e-12,
-               "T-gamma over area");
-    check_near(1e3 * value("usfd_wear_rate_kg_per_m3"),
-               5.3e-6 * value("t_gamma_over_area_N_per_m2"),
-               1e-9,
-               "mild wear [ug/m/mm2]");
-    check_near(
-      1e5 * value("burstow_damage"), (value("t_gamma_N") - 15) / 50, 1e-9, "crack damage on its rising line");
-    check_near(value("utilised_friction") * value("normal_force_N") /
-                 std::hypot(value("longitudinal_force_N"), value("tangential_lateral_force_N")),
-               1,
-               1e-9,
-               "traction over normal force");
-    check_near(value("shakedown_load") * 480e6 / std::sqrt(3.) / value("max_pressure_Pa"), 1, 1e-12, "p0/k");
+    BOOST_TEST(near(value("t_gamma_over_area_N_per_m2") * value("contact_area_m2") / value("t_gamma_N"),
+                    1,
+                    1e-12,
+                    "T-gamma over area"));
+    BOOST_TEST(near(1e3 * value("usfd_wear_rate_kg_per_m3"),
+                    5.3e-6 * value("t_gamma_over_area_N_per_m2"),
+                    1e-9,
+                    "mild wear [ug/m/mm2]"));
+    BOOST_TEST(near(1e5 * value("burstow_damage"),
+                    (value("t_gamma_N") - 15) / 50,
+                    1e-9,
+                    "crack damage on its rising line"));
+    BOOST_TEST(near(value("utilised_friction") * value("normal_force_N") /
+                      std::hypot(value("longitudinal_force_N"), value("tangential_lateral_force_N")),
+                    1,
+                    1e-9,
+                    "traction over normal force"));
+    BOOST_TEST(
+      near(value("shakedown_load") * 480e6 / std::sqrt(3.) / value("max_pressure_Pa"), 1, 1e-12, "p0/k"));
     scene.friction.at_rest     = 0;
     scene.traction_coefficient = 0;
     const Summary none         = halfspace_summary(
       scene, solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene)));
-    check_near(get_figure(none, "usfd_wear_rate_kg_per_m3"), 0, 1e-15, "without friction no wear");
-    check_near(get_figure(none, "t_gamma_N"), 0, 1e-12, "and no T-gamma");
+    BOOST_TEST(near(get_figure(none, "usfd_wear_rate_kg_per_m3"), 0, 1e-15, "without friction no wear"));
+    BOOST_TEST(near(get_figure(none, "t_gamma_N"), 0, 1e-12, "and no T-gamma"));
   }
 
   /// A node that slips 0.3 m/s while its neighbours stick wears as its mean slip of 0.15 m/s does: a seventh.
-  void
-  test_bursts()
+  BOOST_AUTO_TEST_CASE(test_bursts)
   {
     PatchFields patch;
     patch.n_along   = 5;
@@ -238,21 +234,7 @@ namespace
       }
     const WearProfile single = wear_profile(patch, V, data), nodes = wear_profile(patch, V, data, true);
     const double      of_k = 1e8 * 0.3 / V * 1e-3 / data.hardness;
-    check_near(single.depth[1] / of_k, 35e-4, 1e-15, "coefficient of a steady slip of 0.3 m/s");
-    check_near(nodes.depth[1] / of_k, 5e-4, 1e-15, "of a burst between nodes that stick");
+    BOOST_TEST(near(single.depth[1] / of_k, 35e-4, 1e-15, "coefficient of a steady slip of 0.3 m/s"));
+    BOOST_TEST(near(nodes.depth[1] / of_k, 5e-4, 1e-15, "of a burst between nodes that stick"));
   }
 } // namespace
-
-
-int
-main()
-{
-  test_laws();
-  test_drawn_limits();
-  test_volume();
-  test_ball();
-  test_readings();
-  test_figures();
-  test_bursts();
-  return test::report();
-}

@@ -14,8 +14,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 using test::worn;
 
 namespace
@@ -27,26 +26,24 @@ namespace
   }
 
   /// At -5.5 mm tread and flange root carry: both wear, the flange at its side.
-  void
-  test_flange()
+  BOOST_AUTO_TEST_CASE(test_flange)
   {
     Scene scene                = small();
     scene.lateral_shift        = -5.5e-3;
     scene.wear_plan.gross_load = 1e6;
     const WearState state      = worn(scene);
-    check(state.finished, "flange wear goes to its end");
-    check(state.steps.back().rail_section > 0, "the rail wears");
+    BOOST_TEST(state.finished, "flange wear goes to its end");
+    BOOST_TEST(state.steps.back().rail_section > 0, "the rail wears");
     const WornShape &rail   = state.rail;
     double           corner = 0;
     for (std::size_t k = 0; k < rail.depth.size(); ++k)
       if (rail.points[k].x < -20e-3)
         corner = std::max(corner, rail.depth[k]);
-    check(corner > 0.5 * state.steps.back().rail_depth, "most at the gauge corner");
+    BOOST_TEST(corner > 0.5 * state.steps.back().rail_depth, "most at the gauge corner");
   }
 
   /// A measured rail with noise of 10 um wears as the clean one, and its noise does not grow.
-  void
-  test_noise()
+  BOOST_AUTO_TEST_CASE(test_noise)
   {
     const WornShape clean = rail_shape(read_profiles(Scene()).rail);
     std::ofstream   file("noisy_rail.txt");
@@ -57,14 +54,14 @@ namespace
     Scene noisy        = small();
     noisy.rail_profile = "noisy_rail.txt";
     const WearState a = worn(small()), b = worn(noisy);
-    check(b.finished, "a profile with noise wears to the end");
-    check_near(b.steps.back().rail_section / a.steps.back().rail_section, 1, 0.1, "as much as the clean one");
-    check(b.steps.back().mean_pressure < 1.1 * b.steps.front().mean_pressure, "the noise does not grow");
+    BOOST_TEST(b.finished, "a profile with noise wears to the end");
+    BOOST_TEST(
+      near(b.steps.back().rail_section / a.steps.back().rail_section, 1, 0.1, "as much as the clean one"));
+    BOOST_TEST(b.steps.back().mean_pressure < 1.1 * b.steps.front().mean_pressure, "the noise does not grow");
   }
 
   /// A patch on the end of a profile is told.
-  void
-  test_ends()
+  BOOST_AUTO_TEST_CASE(test_ends)
   {
     const WornShape clean = rail_shape(read_profiles(Scene()).rail);
     std::ofstream   file("short_rail.txt");
@@ -84,11 +81,10 @@ namespace
       {
         told = error.what();
       }
-    check(!told.empty(), "a profile that ends below the patch: " + told);
+    BOOST_TEST(!told.empty(), "a profile that ends below the patch: " + told);
   }
 
-  void
-  test_bad_numbers()
+  BOOST_AUTO_TEST_CASE(test_bad_numbers)
   {
     const std::string prm  = WHEELRAIL_SOURCE_DIR "/prm/wear.prm";
     const auto        said = [&](const std::string &set) {
@@ -96,54 +92,41 @@ namespace
       return test::message_of([&]() { execute({"wear", prm, "--no-pictures", "--set", set}, {}, out); });
     };
     const std::string negative = said("Wear/Gross load = -1 Mt");
-    check(negative.find("Gross load") != std::string::npos && negative.find("0 Mt") != std::string::npos,
-          "negative tonnage: " + negative);
+    BOOST_TEST(
+      (negative.find("Gross load") != std::string::npos && negative.find("0 Mt") != std::string::npos),
+      "negative tonnage: " + negative);
     const std::string never = said("Wear/Grind every = 0 Mt");
-    check(never.find("Grind every") != std::string::npos, "no interval: " + never);
+    BOOST_TEST((never.find("Grind every") != std::string::npos), "no interval: " + never);
     const std::string unknown = said("Wear/Grind to = 99E9");
-    check(unknown.find("99E9") != std::string::npos && unknown.find("54E1") != std::string::npos,
-          "an unknown target: " + unknown);
+    BOOST_TEST((unknown.find("99E9") != std::string::npos && unknown.find("54E1") != std::string::npos),
+               "an unknown target: " + unknown);
   }
 
   /// A wheel that locks or spins up is no traffic: its wear would have no end.
-  void
-  test_sliding()
+  BOOST_AUTO_TEST_CASE(test_sliding)
   {
     for (const double traction : {0.6, -0.6})
       {
         Scene scene                = small();
         scene.traction_coefficient = traction;
         const std::string said     = test::message_of([&]() { worn(scene); });
-        test::check_text(said,
-                         "the scene: friction does not carry the traction, so that the wheel locks or spins "
-                         "up; take less traction, or give the creepage of a wheel that slides",
-                         "traction beyond friction");
+        BOOST_TEST(
+          test::same_text(said,
+                          "the scene: friction does not carry the traction, so that the wheel locks or spins "
+                          "up; take less traction, or give the creepage of a wheel that slides",
+                          "traction beyond friction"));
       }
   }
 
   /// Weights of 3 and 1 are shares of 3/4 and 1/4.
-  void
-  test_weights()
+  BOOST_AUTO_TEST_CASE(test_weights)
   {
     Scene scene         = small();
     scene.wear_plan.mix = "weights.csv";
     std::ofstream("weights.csv") << "lateral shift [mm],weight\n0,3\n1,1\n";
     double     weights = 1;
     const auto rows    = mix_rows(scene, scene.wheel_load, weights);
-    check_near(weights, 4, 1e-12, "what the weights add up to");
-    check_near(rows[0].share, 0.75, 1e-12, "share of the first row");
+    BOOST_TEST(near(weights, 4, 1e-12, "what the weights add up to"));
+    BOOST_TEST(near(rows[0].share, 0.75, 1e-12, "share of the first row"));
   }
 } // namespace
-
-
-int
-main()
-{
-  test_flange();
-  test_noise();
-  test_ends();
-  test_bad_numbers();
-  test_sliding();
-  test_weights();
-  return test::report();
-}

@@ -4,6 +4,7 @@
 // Processes share the rows of a mix: the same bits as one alone, and one sentence from all where a row fails.
 
 #include "messages.h"
+#include "parallel.h"
 #include "worn_profiles.h"
 
 #include <wheelrail/application/command_line.h>
@@ -18,8 +19,7 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -35,8 +35,7 @@ namespace
     return scene;
   }
 
-  void
-  test_same_bits()
+  BOOST_FIXTURE_TEST_CASE(test_same_bits, test::Parallel)
   {
     const Scene scene = mixed("three", "lateral shift [mm],traction,weight\n-2,0.1,2\n0,0,3\n2,-0.1,1\n");
     const SceneProfiles profiles = read_profiles(scene);
@@ -45,20 +44,19 @@ namespace
     const auto          rows    = mix_rows(scene, scene.wheel_load, weights);
     const MixWear       alone   = wear_of_mix(rows, profiles, rail, wheel),
                   shared        = wear_of_mix(rows, profiles, rail, wheel, team_of_job());
-    check(alone.rail_section == shared.rail_section && alone.wheel_section == shared.wheel_section,
-          "worn sections, bit by bit");
-    check(alone.rail_damage == shared.rail_damage && alone.wheel_cracks == shared.wheel_cracks,
-          "damage and cracks, bit by bit");
-    check_near(shared.mean_t_gamma / alone.mean_t_gamma, 1, 0, "T-gamma");
-    check_near(shared.axle_load / 200e3, 1, 1e-12, "axle load");
+    BOOST_TEST((alone.rail_section == shared.rail_section && alone.wheel_section == shared.wheel_section),
+               "worn sections, bit by bit");
+    BOOST_TEST((alone.rail_damage == shared.rail_damage && alone.wheel_cracks == shared.wheel_cracks),
+               "damage and cracks, bit by bit");
+    BOOST_TEST(near(shared.mean_t_gamma / alone.mean_t_gamma, 1, 0, "T-gamma"));
+    BOOST_TEST(near(shared.axle_load / 200e3, 1, 1e-12, "axle load"));
     double section = 0;
     for (const double of_point : shared.rail_section)
       section += of_point;
-    check(section > 0, "something wears");
+    BOOST_TEST(section > 0, "something wears");
   }
 
-  void
-  test_fault()
+  BOOST_FIXTURE_TEST_CASE(test_fault, test::Parallel)
   {
     const Scene         scene    = mixed("far", "lateral shift [mm],yaw [mrad]\n0,0\n-11.9,50\n1,0\n");
     const SceneProfiles profiles = read_profiles(scene);
@@ -67,8 +65,8 @@ namespace
     const auto          rows    = mix_rows(scene, scene.wheel_load, weights);
     const std::string   said =
       test::message_of([&]() { wear_of_mix(rows, profiles, rail, wheel, team_of_job()); });
-    check(said.find(".csv, row 2: Wheel 'S1002' and rail '54E1'") != std::string::npos,
-          "a row that does not touch, on each process: " + said);
+    BOOST_TEST((said.find(".csv, row 2: Wheel 'S1002' and rail '54E1'") != std::string::npos),
+               "a row that does not touch, on each process: " + said);
   }
 
   /// Lines of the table of a folder.
@@ -83,8 +81,7 @@ namespace
   }
 
   /// The command: the first process alone speaks and writes; a longer plan goes on.
-  void
-  test_command()
+  BOOST_FIXTURE_TEST_CASE(test_command, test::Parallel)
   {
     const unsigned int rank  = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
                        size  = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
@@ -108,28 +105,29 @@ namespace
                      {},
                      out);
     };
-    check(wear("0.2 Mt", folder) == 0, "the command ends");
-    check(out.str().empty() == (rank != 0), "the first process alone speaks");
-    check(std::filesystem::exists(folder + "-wear/wear.csv"), "and writes");
+    BOOST_TEST(wear("0.2 Mt", folder) == 0, "the command ends");
+    BOOST_TEST((out.str().empty() == (rank != 0)), "the first process alone speaks");
+    BOOST_TEST(std::filesystem::exists(folder + "-wear/wear.csv"), "and writes");
     MPI_Barrier(MPI_COMM_WORLD);
-    test::check_text(
+    BOOST_TEST(test::same_text(
       test::message_of([&]() { wear("0.1 Mt", folder); }),
       folder +
         "-wear: holds states of another scene, up to 0.2 Mt: Wear/Gross load = 0.1 Mt, saved with "
         "0.2 Mt; set it back to continue with them, choose another Output/Folder, or give --overwrite to "
         "start anew",
-      "a shorter plan");
+      "a shorter plan"));
     const std::vector<std::string> before = rows_of(folder);
     MPI_Barrier(MPI_COMM_WORLD);
-    check(wear("0.3 Mt", folder) == 0, "a longer plan goes on");
-    check((rank == 0) == (out.str().find("resuming from step ") != std::string::npos), "and says so");
-    check(wear("0.3 Mt", folder + "_at_once") == 0, "one at once");
+    BOOST_TEST(wear("0.3 Mt", folder) == 0, "a longer plan goes on");
+    BOOST_TEST(((rank == 0) == (out.str().find("resuming from step ") != std::string::npos)), "and says so");
+    BOOST_TEST(wear("0.3 Mt", folder + "_at_once") == 0, "one at once");
     MPI_Barrier(MPI_COMM_WORLD);
     const std::vector<std::string> after = rows_of(folder), at_once = rows_of(folder + "_at_once");
-    check(after.size() > before.size() &&
-            std::equal(before.begin(), before.end() - 1, after.begin()), // the last one had no step from it
-          "states up to the old end are kept");
-    check(at_once.front() == after.front(), "the same columns");
+    BOOST_TEST(
+      (after.size() > before.size() &&
+       std::equal(before.begin(), before.end() - 1, after.begin())), // the last one had no step from it
+      "states up to the old end are kept");
+    BOOST_TEST((at_once.front() == after.front()), "the same columns");
     const auto section = [](const std::string &row) {
       std::istringstream values(row);
       std::string        value;
@@ -137,20 +135,9 @@ namespace
         std::getline(values, value, ',');
       return std::stod(value);
     };
-    check(at_once.front().find("rail_depth_m,wheel_depth_m,rail_section_m2") != std::string::npos,
-          "columns: " + at_once.front());
-    check_near(section(after.back()) / section(at_once.back()), 1, 0.01, "worn section of both");
-    check(!std::filesystem::exists(folder + "-wear/run.lock"), "no lock is left");
+    BOOST_TEST((at_once.front().find("rail_depth_m,wheel_depth_m,rail_section_m2") != std::string::npos),
+               "columns: " + at_once.front());
+    BOOST_TEST(near(section(after.back()) / section(at_once.back()), 1, 0.01, "worn section of both"));
+    BOOST_TEST(!std::filesystem::exists(folder + "-wear/run.lock"), "no lock is left");
   }
 } // namespace
-
-
-int
-main(int argc, char **argv)
-{
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test_same_bits();
-  test_fault();
-  test_command();
-  return test::report();
-}

@@ -15,10 +15,9 @@
 #include <vector>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
-using test::check_text;
 using test::message_of;
+using test::near;
+using test::same_text;
 
 namespace
 {
@@ -35,8 +34,7 @@ namespace
   }
 
   /// The shift of 1.5 mm moves the flange off the rail, to the left in CONTACT.
-  void
-  test_lines()
+  BOOST_AUTO_TEST_CASE(test_lines)
   {
     Scene scene;
     scene.velocity               = 10;
@@ -61,25 +59,24 @@ namespace
                                                " 10000 0 0 0 0 -25000",
                                                " 0 MODULE"};
     const auto                     lines    = lines_of(files.input);
-    check_near(double(lines.size()), double(expected.size()), 0, "lines");
+    BOOST_TEST(near(double(lines.size()), double(expected.size()), 0, "lines"));
     for (std::size_t k = 0; k < std::min(lines.size(), expected.size()); ++k)
-      check_text(lines[k], expected[k], "line " + std::to_string(k + 1));
+      BOOST_TEST(same_text(lines[k], expected[k], "line " + std::to_string(k + 1)));
 
     scene.drive         = Drive::rate;
     scene.creepage      = 0.002;
     scene.lateral_shift = 0;
     const auto held = lines_of(wheel_rail_input(scene, make_geometry(scene), 100e3, "r.txt", "w.txt").input);
-    check_text(held[1], " 1203100", "control digits with a held rate");
+    BOOST_TEST(same_text(held[1], " 1203100", "control digits with a held rate"));
     std::istringstream words(held[14]);
     double             value = 0;
     for (int k = 0; k < 6; ++k)
       words >> value;
     // local radius 460.429 mm
-    check_near(value, -10 / 0.460429 * 1.002, 5e-5, "pitch rate [rad/s]");
+    BOOST_TEST(near(value, -10 / 0.460429 * 1.002, 5e-5, "pitch rate [rad/s]"));
   }
 
-  void
-  test_profiles()
+  BOOST_AUTO_TEST_CASE(test_profiles)
   {
     const Scene        scene;
     const auto         files = wheel_rail_input(scene, make_geometry(scene), 100e3, "r.txt", "w.txt");
@@ -93,8 +90,9 @@ namespace
       measured_wheel(read_profile_text(files.wheel, "w.txt", wheel_options), scene.wheel.rim_width, notes);
     const auto read = find_contact(rail, wheel, scene.track, {0, scene.roll}),
                own = find_contact(rail_profile("54E1"), wheel_profile("S1002"), scene.track, {0, scene.roll});
-    check_near(read.rolling_radius, own.rolling_radius, 2e-6, "rolling radius of the profiles read back [m]");
-    check_near(read.angle, own.angle, 1e-3, "contact angle of the profiles read back");
+    BOOST_TEST(
+      near(read.rolling_radius, own.rolling_radius, 2e-6, "rolling radius of the profiles read back [m]"));
+    BOOST_TEST(near(read.angle, own.angle, 1e-3, "contact angle of the profiles read back"));
     // CONTACT wants the rail from the gauge side to the field side and the wheel the other way, z down
     const auto number = [](const std::string &text, const int which) {
       std::istringstream words(text);
@@ -103,50 +101,44 @@ namespace
         words >> value;
       return value;
     };
-    check(number(files.rail, 0) < -30 && number(files.rail, 1) > 10, "the rail begins low on its gauge side");
-    check(number(files.wheel, 0) > 50 && number(files.wheel, 1) < 0, "the wheel begins on the field side");
+    BOOST_TEST((number(files.rail, 0) < -30 && number(files.rail, 1) > 10),
+               "the rail begins low on its gauge side");
+    BOOST_TEST((number(files.wheel, 0) > 50 && number(files.wheel, 1) < 0),
+               "the wheel begins on the field side");
   }
 
-  void
-  test_refused()
+  BOOST_AUTO_TEST_CASE(test_refused)
   {
     Scene scene;
     scene.friction.kind = FrictionKind::rational;
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
       "--contact-wheel-rail-input writes constant friction only: set Contact/Friction law = constant",
-      "friction over speed");
+      "friction over speed"));
     scene.friction.kind = FrictionKind::constant;
     scene.roll          = RollMode::from_contact;
-    check_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
-               "--contact-wheel-rail-input writes wheelsets without roll only: set Wheelset/Roll = none",
-               "roll");
+    BOOST_TEST(
+      same_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
+                "--contact-wheel-rail-input writes wheelsets without roll only: set Wheelset/Roll = none",
+                "roll"));
     scene.roll = RollMode::none;
     scene.yaw  = 1e-3;
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
       "--contact-wheel-rail-input writes wheelsets that roll straight on only: set Wheelset/Yaw = 0 mrad, "
       "Wheelset/Lateral creepage = 0 and Half-space/Given spin = auto",
-      "yaw");
+      "yaw"));
     scene.yaw          = 0;
     scene.track_radius = 300;
-    check_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
-               "--contact-wheel-rail-input writes straight tracks only: set Track/Radius = straight",
-               "a curve");
+    BOOST_TEST(
+      same_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
+                "--contact-wheel-rail-input writes straight tracks only: set Track/Radius = straight",
+                "a curve"));
     scene.track_radius       = std::numeric_limits<double>::infinity();
     scene.halfspace_distance = "hertz";
-    check_text(
+    BOOST_TEST(same_text(
       message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
       "--contact-wheel-rail-input writes profiles only: set Half-space/Undeformed distance = profiles",
-      "no profiles");
+      "no profiles"));
   }
 } // namespace
-
-int
-main()
-{
-  test_lines();
-  test_profiles();
-  test_refused();
-  return test::report();
-}

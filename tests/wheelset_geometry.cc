@@ -3,7 +3,7 @@
 // Wheelset on track: equivalent conicity against closed forms and Klingel's equation, roll that lets
 // both wheels touch, further points of contact.
 
-#include "check.h"
+#include "near.h"
 #include "reference_table.h"
 
 #include <wheelrail/geometry/conicity.h>
@@ -14,8 +14,7 @@
 #include <string>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -53,35 +52,34 @@ namespace
       }
   }
 
-  void
-  test_conicity()
+  BOOST_AUTO_TEST_CASE(test_conicity)
   {
     const auto cone = tabulated([](const double y) { return 2 * 0.05 * y; });
     for (const double amplitude : {1e-3, 3e-3, 7e-3})
-      check_near(equivalent_conicity(cone, amplitude, e, r0),
-                 0.05,
-                 1e-6,
-                 "a cone of 1:20 has conicity 0.05 at " + std::to_string(1e3 * amplitude) + " mm");
+      BOOST_TEST(near(equivalent_conicity(cone, amplitude, e, r0),
+                      0.05,
+                      1e-6,
+                      "a cone of 1:20 has conicity 0.05 at " + std::to_string(1e3 * amplitude) + " mm"));
 
     // a spring with clearance: no difference up to c, then as a cone; the quarter wave is that of the
     // cone from the turning point to c and a straight way across the clearance
     const double c = 1e-3, amplitude = 4e-3, k = 2 * 0.2 / (e * r0);
     const auto   play    = tabulated([c](const double y) { return y < c ? 0 : 2 * 0.2 * (y - c); });
     const double quarter = M_PI / 2 / std::sqrt(k) + c / ((amplitude - c) * std::sqrt(k));
-    check_near(equivalent_conicity(play, amplitude, e, r0),
-               std::pow(M_PI / (4 * quarter), 2) * 2 * e * r0,
-               2e-5,
-               "a clearance of 1 mm before a cone of 0.2");
-    check(std::isnan(equivalent_conicity(cone, 9e-3, e, r0)), "no conicity beyond the table");
+    BOOST_TEST(near(equivalent_conicity(play, amplitude, e, r0),
+                    std::pow(M_PI / (4 * quarter), 2) * 2 * e * r0,
+                    2e-5,
+                    "a clearance of 1 mm before a cone of 0.2"));
+    BOOST_TEST(std::isnan(equivalent_conicity(cone, 9e-3, e, r0)), "no conicity beyond the table");
     const auto outwards = tabulated([](const double y) { return -2 * 0.05 * y; });
-    check(std::isnan(equivalent_conicity(outwards, 3e-3, e, r0)), "none when the difference pushes outwards");
+    BOOST_TEST(std::isnan(equivalent_conicity(outwards, 3e-3, e, r0)),
+               "none when the difference pushes outwards");
   }
 
-  void
-  test_reference()
+  BOOST_AUTO_TEST_CASE(test_reference)
   {
     const auto rows = test::read_table("rolling_radius_difference_54E1.csv");
-    check(rows.size() > 60, "the table of rolling radius differences is there");
+    BOOST_TEST(rows.size() > 60, "the table of rolling radius differences is there");
     RadiusDifference reference;
     for (const auto &row : rows)
       {
@@ -93,41 +91,41 @@ namespace
     double worst = 0;
     for (std::size_t i = 0; i < ours.value.size(); ++i)
       worst = std::max(worst, std::abs(ours.value[i] - reference.at(ours.displacement[i])));
-    check(ours.value.size() == 13, "difference up to 6 mm");
-    check_near(worst, 0, 1e-7, "rolling radius difference of S1002 on 54E1 against the table [m]");
+    BOOST_TEST(ours.value.size() == 13, "difference up to 6 mm");
+    BOOST_TEST(near(worst, 0, 1e-7, "rolling radius difference of S1002 on 54E1 against the table [m]"));
     for (const double amplitude : {2e-3, 3e-3, 5e-3})
       {
         const double wavelength = wavelength_by_steps(reference, amplitude);
-        check_near(equivalent_conicity(reference, amplitude, e, r0),
-                   std::pow(M_PI / wavelength, 2) * 2 * e * r0,
-                   1e-4,
-                   "conicity of S1002 on 54E1 at " + std::to_string(1e3 * amplitude) +
-                     " mm against Klingel's equation integrated in small steps");
+        BOOST_TEST(near(equivalent_conicity(reference, amplitude, e, r0),
+                        std::pow(M_PI / wavelength, 2) * 2 * e * r0,
+                        1e-4,
+                        "conicity of S1002 on 54E1 at " + std::to_string(1e3 * amplitude) +
+                          " mm against Klingel's equation integrated in small steps"));
       }
   }
 
   // Near the jump of the contact point a second point is about to touch.
-  void
-  test_further_points()
+  BOOST_AUTO_TEST_CASE(test_further_points)
   {
     const RailProfile  rail  = rail_profile("54E1");
     const WheelProfile wheel = wheel_profile("S1002");
     const auto before = find_contact(rail, wheel, TrackDimensions(), {-4.35e-3, RollMode::from_contact});
     const auto after  = find_contact(rail, wheel, TrackDimensions(), {-4.36e-3, RollMode::from_contact});
-    check(!before.further.empty() && !after.further.empty(), "next to a jump there are further points");
+    BOOST_TEST((!before.further.empty() && !after.further.empty()),
+               "next to a jump there are further points");
     if (before.further.empty() || after.further.empty())
       return;
-    check(before.further[0].gap > 0 && before.further[0].gap < 2e-5 && after.further[0].gap > 0 &&
-            after.further[0].gap < 2e-5,
-          "whose gap is below 0.02 mm on both sides of it");
-    check_near(before.further[0].rail_x, after.rail_x, 1e-4, "the second point becomes the first one [m]");
-    check_near(after.further[0].rail_x, before.rail_x, 1e-4, "and the other way round [m]");
-    check_near(before.further[0].angle, after.angle, 0.03, "with its contact angle [rad]");
+    BOOST_TEST((before.further[0].gap > 0 && before.further[0].gap < 2e-5 && after.further[0].gap > 0 &&
+                after.further[0].gap < 2e-5),
+               "whose gap is below 0.02 mm on both sides of it");
+    BOOST_TEST(
+      near(before.further[0].rail_x, after.rail_x, 1e-4, "the second point becomes the first one [m]"));
+    BOOST_TEST(near(after.further[0].rail_x, before.rail_x, 1e-4, "and the other way round [m]"));
+    BOOST_TEST(near(before.further[0].angle, after.angle, 0.03, "with its contact angle [rad]"));
   }
 
   // With roll from contact both wheels touch at the same height of the axle's middle.
-  void
-  test_roll()
+  BOOST_AUTO_TEST_CASE(test_roll)
   {
     const RailProfile  rail  = rail_profile("60E1");
     const WheelProfile wheel = wheel_profile("S1002");
@@ -135,22 +133,13 @@ namespace
       {
         const auto here  = find_contact(rail, wheel, TrackDimensions(), {shift, RollMode::from_contact});
         const auto there = find_contact(rail, wheel, TrackDimensions(), {-shift, RollMode::from_contact});
-        check_near(here.roll, -there.roll, 1e-12, "the two wheels of a wheelset have opposite rolls [rad]");
+        BOOST_TEST(
+          near(here.roll, -there.roll, 1e-12, "the two wheels of a wheelset have opposite rolls [rad]"));
         // the middle of the axle lies half the distance of the running circles from the wheel's axle point
         const auto middle = [](const ContactGeometry &c) {
           return c.axle.y + running_circle_distance(TrackDimensions()) * std::sin(c.roll);
         };
-        check_near(middle(here), middle(there), 1e-12, "and the same height of its axle's middle [m]");
+        BOOST_TEST(near(middle(here), middle(there), 1e-12, "and the same height of its axle's middle [m]"));
       }
   }
 } // namespace
-
-int
-main()
-{
-  test_conicity();
-  test_reference();
-  test_further_points();
-  test_roll();
-  return test::report();
-}

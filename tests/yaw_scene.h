@@ -4,7 +4,7 @@
 
 #include <wheelrail/output/summary.h>
 
-#include "check.h"
+#include "near.h"
 #include "read_output.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
@@ -36,9 +36,9 @@ namespace test
   inline wheelrail::Summary
   figures_of_run(const wheelrail::Scene &scene)
   {
-    check(run(scene, false) == 0, scene.title + ": the run ends");
+    BOOST_TEST(run(scene, false) == 0, scene.title + ": the run ends");
     const wheelrail::Summary summary = wheelrail::read_summary(scene.folder + "/summary.json");
-    check(summary.energy_error < 5e-3, scene.title + ": the energy balance holds");
+    BOOST_TEST(summary.energy_error < 5e-3, scene.title + ": the energy balance holds");
     return summary;
   }
 
@@ -55,19 +55,19 @@ namespace test
   stopped_twice(const wheelrail::Scene &parts, const wheelrail::Scene &whole)
   {
     namespace fs = std::filesystem;
-    check(run(parts, false, 50) == 3, "interrupted soon after the static start");
+    BOOST_TEST(run(parts, false, 50) == 3, "interrupted soon after the static start");
     fs::remove_all(whole.folder);
     fs::copy(parts.folder, whole.folder, fs::copy_options::recursive);
-    check(run(whole, true) == 0, "gone on to the end in one go");
+    BOOST_TEST(run(whole, true) == 0, "gone on to the end in one go");
     EndedRun ended{wheelrail::read_summary(whole.folder + "/summary.json"), {}};
-    check(ended.summary.energy_error < 5e-3, "the energy balance holds");
-    check(run(parts, true, static_cast<unsigned long>(0.8 * ended.summary.time_steps)) == 3,
-          "interrupted again");
-    check(run(parts, true) == 0, "gone on to the end");
+    BOOST_TEST(ended.summary.energy_error < 5e-3, "the energy balance holds");
+    BOOST_TEST(run(parts, true, static_cast<unsigned long>(0.8 * ended.summary.time_steps)) == 3,
+               "interrupted again");
+    BOOST_TEST(run(parts, true) == 0, "gone on to the end");
     ended.history                = read_history(whole.folder + "/history.h5");
     const wheelrail::History two = read_history(parts.folder + "/history.h5");
-    check(ended.history.columns[0].size() > 50 && ended.history.columns == two.columns,
-          "the same history, bit for bit");
+    BOOST_TEST((ended.history.columns[0].size() > 50 && ended.history.columns == two.columns),
+               "the same history, bit for bit");
     return ended;
   }
 } // namespace test

@@ -2,7 +2,7 @@
 
 // Rigid contact of a wheelset with yaw: the outline of the wheel along the track against the wheel itself.
 
-#include "check.h"
+#include "near.h"
 
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/geometry/touching_profiles.h>
@@ -13,8 +13,7 @@
 #include <utility>
 
 using namespace wheelrail;
-using test::check;
-using test::check_near;
+using test::near;
 
 namespace
 {
@@ -83,8 +82,7 @@ namespace
            " mrad: ";
   }
 
-  void
-  test_direct_search()
+  BOOST_AUTO_TEST_CASE(test_direct_search)
   {
     const RailProfile     rail  = rail_profile("54E1");
     const WheelProfile    wheel = wheel_profile("S1002");
@@ -99,18 +97,17 @@ namespace
         const ContactGeometry c     = find_contact(rail, wheel, track, pose);
         const Nearest         n     = nearest_point(rail, wheel, track, c);
         const std::string     which = name_of(pose);
-        check_near(n.gap, 0, 1e-10, which + "least gap of the whole wheel [m]");
-        check_near(c.frame.origin.x, n.X, 1e-6, which + "lateral place [m]");
-        check_near(c.along, n.Z, 1e-6, which + "place along the track [m]");
+        BOOST_TEST(near(n.gap, 0, 1e-10, which + "least gap of the whole wheel [m]"));
+        BOOST_TEST(near(c.frame.origin.x, n.X, 1e-6, which + "lateral place [m]"));
+        BOOST_TEST(near(c.along, n.Z, 1e-6, which + "place along the track [m]"));
         const double expected = -c.rolling_radius * std::tan(c.angle) * std::tan(pose.yaw);
-        check_near(
-          c.ahead / expected, 1, 0.01, which + "place ahead of the axle over -r tan(angle) tan(yaw)");
+        BOOST_TEST(
+          near(c.ahead / expected, 1, 0.01, which + "place ahead of the axle over -r tan(angle) tan(yaw)"));
       }
   }
 
   /// A yaw turns both wheels, so that the same yaw of opposite sign changes wheels with the other side.
-  void
-  test_both_wheels()
+  BOOST_AUTO_TEST_CASE(test_both_wheels)
   {
     const RailProfile     rail  = rail_profile("54E1");
     const WheelProfile    wheel = wheel_profile("S1002");
@@ -118,18 +115,17 @@ namespace
     const WheelsetPose    pose{-2e-3, RollMode::from_contact, 0, 15e-3};
     const ContactGeometry here  = find_contact(rail, wheel, track, pose),
                           there = find_contact(rail, wheel, track, mirrored(pose));
-    check_near(here.roll, -there.roll, 1e-12, "roll from contact of both wheels [rad]");
-    check_near(here.axis.middle.y, there.axis.middle.y, 1e-12, "height of the middle of the axle [m]");
-    check_near(here.other_radius, there.rolling_radius, 1e-12, "radius of the other wheel [m]");
-    check(here.along > 0 && there.along < 0, "the modelled wheel goes forward, the other one back");
+    BOOST_TEST(near(here.roll, -there.roll, 1e-12, "roll from contact of both wheels [rad]"));
+    BOOST_TEST(near(here.axis.middle.y, there.axis.middle.y, 1e-12, "height of the middle of the axle [m]"));
+    BOOST_TEST(near(here.other_radius, there.rolling_radius, 1e-12, "radius of the other wheel [m]"));
+    BOOST_TEST((here.along > 0 && there.along < 0), "the modelled wheel goes forward, the other one back");
     const ContactGeometry straight = find_contact(rail, wheel, track, {-2e-3, RollMode::from_contact});
-    check(std::abs(here.roll - straight.roll) > 1e-6, "yaw changes the roll at which both wheels touch");
+    BOOST_TEST(std::abs(here.roll - straight.roll) > 1e-6, "yaw changes the roll at which both wheels touch");
   }
 
   /// The wheel as a body: its axle is that of the wheelset, and it touches at Z = 0 with its lowest line,
   /// where its surface has the normal of the rail.
-  void
-  test_pose()
+  BOOST_AUTO_TEST_CASE(test_pose)
   {
     const RailProfile     rail  = rail_profile("54E1");
     const WheelProfile    wheel = wheel_profile("S1002");
@@ -142,38 +138,39 @@ namespace
         const ContactGeometry c     = find_contact(rail, wheel, track, pose);
         const std::string     which = name_of(pose);
         const Vector3         point = {c.frame.origin.x, c.frame.origin.y, 0}, axis = c.pose.axis();
-        check_near(norm(axis - c.axis.direction), 0, 1e-14, which + "direction of the axle");
+        BOOST_TEST(near(norm(axis - c.axis.direction), 0, 1e-14, which + "direction of the axle"));
         const Vector3 middle = {c.axis.middle.x, c.axis.middle.y, -c.along};
-        check_near(norm(c.pose.centre() + running_circle_distance(track) * axis - middle),
-                   0,
-                   1e-14,
-                   which + "middle of the wheelset from the wheel [m]");
-        check_near(c.pose.angle(point), 0, 1e-8, which + "angle of the contact point about the axle [rad]");
+        BOOST_TEST(near(norm(c.pose.centre() + running_circle_distance(track) * axis - middle),
+                        0,
+                        1e-14,
+                        which + "middle of the wheelset from the wheel [m]"));
+        BOOST_TEST(
+          near(c.pose.angle(point), 0, 1e-8, which + "angle of the contact point about the axle [rad]"));
         const Point2 on_tread = c.pose.on_section(point);
-        check_near(norm(on_tread - c.tread_frame.origin), 0, 1e-9, which + "contact point on the tread [m]");
+        BOOST_TEST(
+          near(norm(on_tread - c.tread_frame.origin), 0, 1e-9, which + "contact point on the tread [m]"));
         const Point2  n      = c.tread_frame.normal();
         const Vector3 normal = c.pose.motion.turned({n.x, n.y, 0});
-        check_near(norm(normal - Vector3{c.frame.normal().x, c.frame.normal().y, 0}),
-                   0,
-                   1e-6,
-                   which + "normal of the wheel less that of the rail");
+        BOOST_TEST(near(norm(normal - Vector3{c.frame.normal().x, c.frame.normal().y, 0}),
+                        0,
+                        1e-6,
+                        which + "normal of the wheel less that of the rail"));
         const Vector3 X = c.pose.position(0.01, 0.45, 0.3);
-        check_near(c.pose.angle(X), 0.3, 1e-14, which + "angle of a place [rad]");
-        check_near(norm(c.pose.rolling(X) - cross(axis, X - c.pose.centre())),
-                   0,
-                   1e-14,
-                   which + "rolling velocity over the pitch rate [m]");
-        check_near(-c.pose.rolling(X)[2] / 0.45 / std::cos(0.3 + c.ahead / c.rolling_radius),
-                   std::cos(pose.yaw),
-                   2e-3,
-                   which + "its part along the track");
+        BOOST_TEST(near(c.pose.angle(X), 0.3, 1e-14, which + "angle of a place [rad]"));
+        BOOST_TEST(near(norm(c.pose.rolling(X) - cross(axis, X - c.pose.centre())),
+                        0,
+                        1e-14,
+                        which + "rolling velocity over the pitch rate [m]"));
+        BOOST_TEST(near(-c.pose.rolling(X)[2] / 0.45 / std::cos(0.3 + c.ahead / c.rolling_radius),
+                        std::cos(pose.yaw),
+                        2e-3,
+                        which + "its part along the track"));
       }
   }
 
   /// The stretch along the track in which wheel and rail overlap, against the wheel point by point on its
   /// tread and around it.
-  void
-  test_overlap()
+  BOOST_AUTO_TEST_CASE(test_overlap)
   {
     const double approach = 0.1e-3;
     for (const auto &[shift, yaw] : {std::make_pair(0., 0.), {0., 20e-3}, {-6e-3, 40e-3}, {-6e-3, -40e-3}})
@@ -199,17 +196,16 @@ namespace
             }
         const std::string which = name_of(pose);
         // the parabola has its full length in every slice, but leaves out that an inclined wheel is flatter
-        check(range.s0 < 0.97 * back && range.s1 > 0.97 * front, which + "the overlap is covered");
-        check(range.s1 - range.s0 < 1.5 * (front - back), which + "and not much more");
+        BOOST_TEST((range.s0 < 0.97 * back && range.s1 > 0.97 * front), which + "the overlap is covered");
+        BOOST_TEST(range.s1 - range.s0 < 1.5 * (front - back), which + "and not much more");
         const Range wider = overlap_along(profiles, approach, 3e-3);
-        check(wider.s0 <= range.s0 && wider.s1 >= range.s1 && (yaw == 0) == (wider.s1 == range.s1),
-              which + "with yaw more beside the overlap");
+        BOOST_TEST((wider.s0 <= range.s0 && wider.s1 >= range.s1 && (yaw == 0) == (wider.s1 == range.s1)),
+                   which + "with yaw more beside the overlap");
       }
   }
 
   /// A cone of revolution: its outline is known in closed form.
-  void
-  test_cone()
+  BOOST_AUTO_TEST_CASE(test_cone)
   {
     const double          slope = 0.3, yaw = 30e-3;
     const TrackDimensions track;
@@ -227,17 +223,6 @@ namespace
                      y   = track.nominal_radius - rho * std::cos(theta);
         worst            = std::max(worst, norm(p - Point2{x, y}));
       }
-    check_near(worst, 0, 1e-14, "outline of a cone [m]");
+    BOOST_TEST(near(worst, 0, 1e-14, "outline of a cone [m]"));
   }
 } // namespace
-
-int
-main()
-{
-  test_direct_search();
-  test_both_wheels();
-  test_pose();
-  test_overlap();
-  test_cone();
-  return test::report();
-}

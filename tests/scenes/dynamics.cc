@@ -29,17 +29,6 @@ namespace scenes
   }
 
 
-  Program::Program(int &argc, char **&argv)
-  {
-    MPI_Init(&argc, &argv);
-  }
-
-  Program::~Program()
-  {
-    MPI_Finalize();
-  }
-
-
   Dynamics::Dynamics(LocalMesh mesh, const Setup &setup)
     : solid(make_solid(std::move(mesh),
                        material_law(setup.material, setup.plasticity),

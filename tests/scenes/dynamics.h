@@ -37,15 +37,8 @@ namespace scenes
   std::string
   form_name(const Setup &setup);
 
-  /// Starts and ends MPI, which the solid needs; keep one in main().
-  struct Program
-  {
-    Program(int &argc, char **&argv);
-    ~Program();
-  };
-
   /// One scene. Add motions, walls and forces, then call step(). The state is `solid`; displacement and
-  /// velocity set before the first step belong to the same instant. Needs MPI (class Program).
+  /// velocity set before the first step belong to the same instant. Needs MPI (test::Parallel).
   class Dynamics
   {
   public:
