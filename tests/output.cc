@@ -292,6 +292,7 @@ namespace
     on_root(MPI_COMM_WORLD, [&]() {
       finish(true);
       replace_file(run + "/old.vtu", std::string("old"));
+      replace_file(run + "/intervals.csv", std::string("old"));
       replace_file(run + "/notes.txt", std::string("mine"));
     });
     check_throws<InputError>([&]() { begin(FolderMode::fresh, "b", "b"); },
@@ -306,9 +307,10 @@ namespace
     BOOST_TEST(std::filesystem::exists(run + "/old.vtu"), "resuming keeps all files");
     MPI_Barrier(MPI_COMM_WORLD);
     begin(FolderMode::overwrite, "c", "c");
-    BOOST_TEST(
-      (!std::filesystem::exists(run + "/old.vtu") && !std::filesystem::exists(run + "/summary.json")),
-      "overwriting removes the files of the earlier run");
+    BOOST_TEST((!std::filesystem::exists(run + "/old.vtu") &&
+                !std::filesystem::exists(run + "/intervals.csv") &&
+                !std::filesystem::exists(run + "/summary.json")),
+               "overwriting removes the files of the earlier run");
     BOOST_TEST((read_whole_file(run + "/notes.txt") == "mine"), "overwriting leaves the user's files alone");
 
     {

@@ -26,7 +26,7 @@ namespace wheelrail
       for (const std::string &own : split_list(
              "summary.json, figures.json, log.txt, history.h5, patch_history.h5, patch.h5, halfspace.h5, "
              "halfspace_slices.h5, compare.json, compare.html, residual.h5, slices.h5, report.html, rail.h5, "
-             "passages.csv, passages.h5, input.prm, parameters.prm"))
+             "passages.csv, passages.h5, input.prm, parameters.prm, intervals.csv, sections.json, wear.csv"))
         if (name == own)
           return true;
       return ending == ".vtu" || ending == ".pvd" || name.rfind("checkpoint", 0) == 0 ||

@@ -50,8 +50,8 @@ MEANS = ("nodes at that instant; the results above are means over the averaging 
 
 
 def parse_arguments(arguments):
-    parser = argparse.ArgumentParser(prog="report", description="Pictures and one page of a run.")
-    parser.add_argument("folder", help="output folder of the run")
+    parser = argparse.ArgumentParser(prog="report", description="Pictures and one page of an output folder.")
+    parser.add_argument("folder", help="output folder of a run, or of another command")
     parser.add_argument("--tick",
                         help="output step to draw: a number, or last (the usual one; over irregular surfaces the one nearest "
                              "to the largest force); several with commas also draw the shear at each")

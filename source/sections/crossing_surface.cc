@@ -222,15 +222,15 @@ namespace wheelrail
             }
           height[k][i] = higher(height[k][i], wheel_there - below);
         }
-    tell_ends(rails, wheel, heights, notes);
-    tell_far(rails, wheel, heights, notes);
+    note_ends(rails, wheel, heights, notes);
+    note_far(rails, wheel, heights, notes);
     keep(first, end);
   }
 
 
   /// Tells of ends that the wheel comes near.
   void
-  CrossingSurface::tell_ends(const std::vector<OneRail> &rails,
+  CrossingSurface::note_ends(const std::vector<OneRail> &rails,
                              const std::vector<double>  &wheel,
                              const std::vector<double>  &heights,
                              std::vector<std::string>   &notes) const
@@ -258,7 +258,7 @@ namespace wheelrail
 
   /// Tells of rails that the wheel does not come near on the path.
   void
-  CrossingSurface::tell_far(const std::vector<OneRail> &rails,
+  CrossingSurface::note_far(const std::vector<OneRail> &rails,
                             const std::vector<double>  &wheel,
                             const std::vector<double>  &heights,
                             std::vector<std::string>   &notes) const

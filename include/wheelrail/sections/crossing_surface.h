@@ -89,12 +89,12 @@ namespace wheelrail
                   const WheelProfile         &profile) const;
 
     void
-    tell_ends(const std::vector<OneRail> &rails,
+    note_ends(const std::vector<OneRail> &rails,
               const std::vector<double>  &wheel,
               const std::vector<double>  &heights,
               std::vector<std::string>   &notes) const;
     void
-    tell_far(const std::vector<OneRail> &rails,
+    note_far(const std::vector<OneRail> &rails,
              const std::vector<double>  &wheel,
              const std::vector<double>  &heights,
              std::vector<std::string>   &notes) const;
