@@ -24,8 +24,9 @@ namespace wheelrail
     rolling_line() const;
   };
 
-  /// Computes it by find_contact() in steps of `step` up to `most` [m] to each side, or as far as both wheels
-  /// have contact. `other`: what rolls on the other side; null: the same.
+  /// Computes it by find_contact() in steps of at most `step` up to `most` [m] to each side, or as far as
+  /// both wheels have contact; shorter steps where the contact point jumps. `other`: what rolls on the other
+  /// side; null: the same.
   RadiusDifference
   radius_difference(const RailProfile     &rail,
                     const WheelProfile    &wheel,
