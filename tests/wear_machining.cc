@@ -127,6 +127,8 @@ namespace
     BOOST_TEST((events.size() == 1 && !events[0].of_rail && wheel.turnings == 1 && wheel.grindings == 0),
                "a wheel that wears alone is turned, its rail is not ground");
     BOOST_TEST(near(wheel.steps.back().distance / 1e6, 1, 1e-9, "and rolls as far as planned"));
+    BOOST_TEST((wheel.steps.back().rail_damage == 0 && wheel.steps.back().wheel_damage > 0),
+               "the rails it meets are ever new ones");
   }
 
   /// Crack growth is Burstow's function up to its peak, and goes on there; the net of growth and wear is
@@ -143,6 +145,8 @@ namespace
     const WearState deep   = worn(scene, [&](const MachiningEvent &done) { events.push_back(done); });
     BOOST_TEST(near(
       deep.steps.back().rail_cracks / deep.steps.back().rail_damage, 1, 0.02, "without wear: growth alone"));
+    BOOST_TEST((deep.steps.back().wheel_damage == 0 && deep.steps.back().wheel_cracks == 0),
+               "the wheels that a rail meets are ever new ones");
     scene.wear.crack_depth  = 1e-5;
     const WearState shallow = worn(scene, [&](const MachiningEvent &done) { events.push_back(done); });
     BOOST_TEST(

@@ -295,12 +295,13 @@ namespace wheelrail
         SceneProfiles profiles = profiles_of(state.rail, state.wheel, scene);
         if (state.passages == 0)
           profiles.files = state.files; // their noise is that of all states
-        MixWear      wear  = wear_of_mix(rows, profiles, state.rail, state.wheel, team, state.steps.empty());
-        const double turns = plan.worn == WornBody::both ? turns_of_a_passage(scene) : 1;
-        const auto   rail =
-          taken(wear.rail_section, state.rail, plan.worn == WornBody::wheel ? 0 : 1, plan.smoothing);
-        const auto tread =
-          taken(wear.wheel_section, state.wheel, plan.worn == WornBody::rail ? 0 : turns, plan.smoothing);
+        MixWear wear = wear_of_mix(rows, profiles, state.rail, state.wheel, team, state.steps.empty());
+        // passages of a place on the rail and on the wheel; a body that does not wear meets ever new ones
+        const double over = plan.worn != WornBody::wheel, turns = plan.worn == WornBody::both
+                                                                    ? turns_of_a_passage(scene)
+                                                                    : plan.worn == WornBody::wheel;
+        const auto   rail  = taken(wear.rail_section, state.rail, over, plan.smoothing),
+                   tread   = taken(wear.wheel_section, state.wheel, turns, plan.smoothing);
         const double depth = std::max(deepest(rail, state.rail), deepest(tread, state.wheel));
         const double left  = planned(scene, wear) - state.passages;
         const Stops  stops = next_stops(scene, wear, state);
@@ -340,7 +341,7 @@ namespace wheelrail
             section *= steps;
           return sections;
         };
-        add_damage(wear.rail_damage, wear.rail_cracks, steps, state.rail);
+        add_damage(wear.rail_damage, wear.rail_cracks, steps * over, state.rail);
         add_damage(wear.wheel_damage, wear.wheel_cracks, steps * turns, state.wheel);
         remove_cracks(scaled(rail), scene.wear.crack_depth, state.rail.cracks, state.rail);
         remove_cracks(scaled(tread), scene.wear.crack_depth, state.wheel.cracks, state.wheel);
