@@ -23,7 +23,7 @@ for number in SIGNALS:
 signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)  # which the program has blocked for its end
 
 import argparse
-import threading
+import time
 
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
 
@@ -82,22 +82,23 @@ def dry_run(study, options):
 
 def compute(study, options):
     """Computes what is open; gives whether it was interrupted."""
-    stop = threading.Event()
+    stop = []  # not an event: set() in a handler waits for ever when the signal comes within wait()
     for number in SIGNALS:
-        signal.signal(number, lambda *_: stop.set())
+        signal.signal(number, lambda number, _: stop.append(number))
     line = progress.Progress(study, options.jobs)
     with engine.Engine(study, options) as running:
         ended = 0  # looks since the last case ended; on a cluster the engine takes minutes to see that there is no more
-        while running.is_alive() and ended < 10 and not stop.wait(0.3):
+        while running.is_alive() and ended < 10 and not stop:
+            time.sleep(0.3)
             ended = 0 if line.show(running.failures) else ended + 1
     line.end()
-    if stop.is_set():
+    if stop:
         study.wait_for_cases(60)
         print("interrupted: the cases at work were saved; the same command resumes", file=sys.stderr)
     else:
         for number in SIGNALS:  # tables and page can be left
             signal.signal(number, leave)
-    return stop.is_set(), running
+    return bool(stop), running
 
 
 def print_failures(study, failures):
