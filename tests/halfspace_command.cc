@@ -160,6 +160,15 @@ namespace
                                  ": half-spaces, which have no run to be compared with; compare needs the "
                                  "output folder of a run",
                                "compare of a folder of halfspace"));
+    const std::string other = (folder / "receptance").string();
+    fs::create_directories(other);
+    std::ofstream(other + "/receptance.csv") << "frequency_Hz\n";
+    BOOST_TEST(test::same_text(
+      test::message_of([&]() {
+        execute({"compare", other}, {}, out);
+      }),
+      other + ": receptance.csv is there, which no run leaves; compare needs the output folder of a run",
+      "compare of a folder of another command"));
     BOOST_TEST(out.str().empty(), "and nothing is compared");
   }
 

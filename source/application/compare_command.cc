@@ -134,6 +134,11 @@ namespace wheelrail
         throw InputError(folder +
                          ": half-spaces, which have no run to be compared with; compare needs the "
                          "output folder of a run");
+      for (const char *other :
+           {"receptance.csv", "cycles.csv", "wear.json", "vehicle.csv", "cases.csv", "wheel_rail.csv"})
+        if (holds(other) && !holds("patch.h5"))
+          throw InputError(folder + ": " + other +
+                           " is there, which no run leaves; compare needs the output " + "folder of a run");
       if (!std::filesystem::exists(path / "summary.json"))
         throw InputError("The folder " + folder + " holds no summary.json; give the output folder of a run.");
     }
