@@ -8,7 +8,7 @@
 // Equivalent conicity (EN 15302, UIC 519; doc/theory/geometry.md): wavelength of Klingel's equation y'' =
 // -difference/(e r0) at an amplitude, and the cone that has the same. e is the distance of the running
 // circles, r0 the nominal radius [m].
-// Checked: S1002 on 54E1, 1:40: 0.2003 at 3 mm; stepping through the equation gives the same to 3e-8.
+// Checked: S1002 on 54E1, 1:40: 0.2002 at 3 mm; stepping through the equation gives the same to 3e-8.
 
 namespace wheelrail
 {
@@ -50,22 +50,27 @@ namespace wheelrail
     }
 
     /// Adds a value to a table, and as many before it as a straight line from the last one misses by more
-    /// than 0.1 um, halving: the contact jumps at places of its own, which are found to 1 um.
+    /// than 1 um, halving: the contact jumps at places of its own, which are found to 1 um.
     void
     add_between(const std::function<double(double)> &difference,
                 const double                         y,
                 const double                         value,
                 RadiusDifference                    &table)
     {
-      if (!table.displacement.empty())
+      if (!table.displacement.empty() && y - table.displacement.back() > 1e-6)
         {
-          const double from = table.displacement.back(), middle = 0.5 * (from + y);
-          const double there = y - from > 1e-6 ? difference(middle) : std::nan("");
-          if (std::abs(there - 0.5 * (table.value.back() + value)) > 1e-7)
+          const double middle = 0.5 * (table.displacement.back() + y), there = difference(middle),
+                       straight = 0.5 * (table.value.back() + value);
+          if (std::abs(there - straight) > 1e-6)
             {
               add_between(difference, middle, there, table);
               add_between(difference, y, value, table);
               return;
+            }
+          if (!std::isnan(there))
+            {
+              table.displacement.push_back(middle);
+              table.value.push_back(there);
             }
         }
       table.displacement.push_back(y);
