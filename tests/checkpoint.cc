@@ -80,7 +80,7 @@ namespace
          split_list("normal_force_N, longitudinal_force_N, max_pressure_Pa, contact_area_m2, creepage, "
                     "stick_fraction, max_von_mises_Pa, rolled_distance_m, time_steps, energy_error, "
                     "relative_roll_rad"))
-      BOOST_TEST((get_figure(s, key) == get_figure(t, key)), what + ": the same " + key);
+      BOOST_TEST((get_figure(s, key) == get_figure(t, key)), what << ": the same " << key);
     BOOST_TEST((s.finished && t.finished), what + ": both have finished");
     for (unsigned int tick = 0; tick < 5; ++tick)
       {
