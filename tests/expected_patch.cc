@@ -98,7 +98,7 @@ namespace
 } // namespace
 
 
-BOOST_FIXTURE_TEST_CASE(expected_patch, test::Parallel)
+BOOST_FIXTURE_TEST_CASE(patches_of_loads, test::Parallel)
 {
   test_patch();
   test_ranks();

@@ -123,7 +123,7 @@ namespace
             const double slip = std::hypot(now.slip_x[std::size_t(e)], now.slip_y[std::size_t(e)]);
             const double law  = 0.14 + 0.19 * std::exp2(-10 * slip / 1.25),
                          ahead =
-                           step == 1 || e == leading ? 0.33 : problem.previous->friction[std::size_t(e + 1)];
+                           step == 1 || e == leading ? 0.33 : problem.previous->friction[std::size_t(e) + 1];
             worst =
               std::max(worst,
                        std::abs(now.friction[std::size_t(e)] - law -

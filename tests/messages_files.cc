@@ -13,6 +13,7 @@
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/output/tick_file.h>
 #include <wheelrail/output/vtu.h>
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/run/run_start.h>

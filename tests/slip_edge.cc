@@ -120,7 +120,7 @@ namespace
 } // namespace
 
 
-BOOST_AUTO_TEST_CASE(slip_edge)
+BOOST_AUTO_TEST_CASE(stick_meets_slip)
 {
   test_strips(6e-3, 9e-3, 1.7e-3, 1e-3, 0.002);
   test_strips(6e-3, 9e-3, 1.7e-3, 0.5e-3, 0.001);

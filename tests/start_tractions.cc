@@ -324,7 +324,7 @@ namespace
 } // namespace
 
 
-BOOST_FIXTURE_TEST_CASE(start_tractions, test::Parallel)
+BOOST_FIXTURE_TEST_CASE(tractions_at_start, test::Parallel)
 {
   linear_theory(6e-3, 4e-3, 4.78);
   linear_theory(4e-3, 4e-3, 4.30);

@@ -173,7 +173,7 @@ namespace
 } // namespace
 
 
-BOOST_AUTO_TEST_CASE(surface_response)
+BOOST_AUTO_TEST_CASE(responses)
 {
   for (const double nu : {0.0, 0.3, 0.45})
     {
