@@ -6,6 +6,8 @@
 // B is the bulk viscosity, 0.06 without. With mpirun on several ranks, too. One update is one element in one
 // step; updates per second of all ranks by wall time and by CPU time (which a busy machine does not change).
 
+#include <deal.II/base/mpi.h>
+
 #include "scenes/block_motion.h"
 
 #include <algorithm>
@@ -91,8 +93,8 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Program program(argc, argv);
-  int     rank;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  int                                            rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   const std::string what      = argc > 1 ? argv[1] : "31";
   const double      viscosity = argc > 2 ? std::atof(argv[2]) : 0.06;

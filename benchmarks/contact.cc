@@ -2,6 +2,8 @@
 //   ./benchmark_contact [smallest cell in mm, default 1] [table.csv]
 // benchmarks/plot_contact.py draws the table.
 
+#include <deal.II/base/mpi.h>
+
 #include "scenes/hertz_scene.h"
 
 #include <cstdlib>
@@ -29,9 +31,9 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Program       program(argc, argv);
-  const double  smallest = argc > 1 ? 1e-3 * std::atof(argv[1]) : 1e-3;
-  std::ofstream table;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const double                                   smallest = argc > 1 ? 1e-3 * std::atof(argv[1]) : 1e-3;
+  std::ofstream                                  table;
   if (argc > 2)
     table.open(argv[2]);
   table

@@ -1,6 +1,7 @@
 // Time of the half-space solver over grid size, one core: Hertzian ellipse and S1002 on 54E1 (100 kN, steady
 // rolling with 25 kN given), and the difference to CONTACT's results at the same grid and step.
 
+#include "../tests/quadratic_distance.h"
 #include "../tests/wheel_rail_contact.h"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ main()
     {
       HalfspaceProblem problem;
       problem.grid                     = centred_grid(7.7e-3, 5.9e-3, r.dx * 1e-3, r.dx * 1e-3);
-      problem.undeformed_distance      = quadratic_distance(problem.grid, 0.46, 0.3);
+      problem.undeformed_distance      = test::quadratic_distance(problem.grid, 0.46, 0.3);
       problem.normal_force             = 100e3;
       problem.longitudinal_force_given = true;
       problem.fx                       = 25e3;

@@ -2,6 +2,8 @@
 // sphere loaded beyond yield. Prints a table; with a file name as argument also writes it as CSV, which
 // benchmarks/plot_solids.py draws.
 
+#include <deal.II/base/mpi.h>
+
 #include "scenes/ball_impact.h"
 #include "scenes/pulse.h"
 #include "scenes/shapes.h"
@@ -91,8 +93,8 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Program          program(argc, argv);
-  std::vector<Row> rows;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::vector<Row>                               rows;
   std::printf(
     "%-8s %-8s %8s %10s %10s %10s\n", "scene", "element", "cells", "wall [s]", "CPU [s]", "error [%]");
   for (const Setup &setup : each_form(Setup()))

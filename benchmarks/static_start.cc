@@ -52,8 +52,8 @@ namespace
                 result.newton_steps,
                 result.cg_steps,
                 result.flow_steps);
-    std::printf("lift %.9g mm, creepage %.9g, residual %.3g, converged %d, border %d\n",
-                1e3 * result.lift,
+    std::printf("hub %.9g mm, creepage %.9g, residual %.3g, converged %d, border %d\n",
+                1e3 * result.hub_displacement,
                 result.creepage,
                 result.residual,
                 result.converged,

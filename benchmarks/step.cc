@@ -2,6 +2,8 @@
 // update of the nodes. Elastic; elastic-plastic with no point and with every point in plastic flow; both
 // elements. Arguments: n of the blocks, 31 46 65 without. With mpirun on several ranks, too.
 
+#include <deal.II/base/mpi.h>
+
 #include "scenes/block_motion.h"
 
 #include <algorithm>
@@ -126,7 +128,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Program program(argc, argv);
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
   std::vector<unsigned int> edges;
