@@ -40,12 +40,12 @@ namespace
     const auto   start = std::chrono::steady_clock::now();
     const auto   cpu   = std::clock();
     const double error = run();
-    const Row    row{scene,
-                  form_name(setup),
-                  cells,
-                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-                  double(std::clock() - cpu) / CLOCKS_PER_SEC,
-                  std::abs(error)};
+    Row          row{scene,
+            form_name(setup),
+            cells,
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+            double(std::clock() - cpu) / CLOCKS_PER_SEC,
+            std::abs(error)};
     std::printf("%-8s %-8s %8zu %10.3f %10.3f %10.4f\n",
                 scene.c_str(),
                 row.element.c_str(),

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <vector>
 
 using namespace scenes;
@@ -154,8 +155,16 @@ main(int argc, char **argv)
       "flow [%]",
       "bytes",
       "GB/s");
-  for (const unsigned int n : edges)
-    for (const auto form : {wheelrail::ElementForm::reduced, wheelrail::ElementForm::full})
-      for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
-        measure(n, kind, form);
+  try
+    {
+      for (const unsigned int n : edges)
+        for (const auto form : {wheelrail::ElementForm::reduced, wheelrail::ElementForm::full})
+          for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
+            measure(n, kind, form);
+    }
+  catch (const std::exception &problem)
+    {
+      std::fprintf(stderr, "%s\n", problem.what());
+      MPI_Abort(MPI_COMM_WORLD, 1);
+    }
 }
