@@ -129,16 +129,14 @@ namespace wheelrail
     require_run(const std::string &folder)
     {
       const std::filesystem::path path = folder;
-      const auto holds = [&](const char *name) { return std::filesystem::exists(path / name); };
+      const auto        holds  = [&](const char *name) { return std::filesystem::exists(path / name); };
+      const std::string wanted = "; compare needs the output folder of a run";
       if ((holds("halfspace.h5") && !holds("patch.h5")) || holds("wheelset.csv"))
-        throw InputError(folder +
-                         ": half-spaces, which have no run to be compared with; compare needs the "
-                         "output folder of a run");
+        throw InputError(folder + ": half-spaces, which have no run to be compared with" + wanted);
       for (const char *other :
            {"receptance.csv", "cycles.csv", "wear.json", "vehicle.csv", "cases.csv", "wheel_rail.csv"})
         if (holds(other) && !holds("patch.h5"))
-          throw InputError(folder + ": " + other +
-                           " is there, which no run leaves; compare needs the output " + "folder of a run");
+          throw InputError(folder + ": " + other + " is there, which no run leaves" + wanted);
       if (!std::filesystem::exists(path / "summary.json"))
         throw InputError("The folder " + folder + " holds no summary.json; give the output folder of a run.");
     }

@@ -138,13 +138,12 @@ namespace wheelrail
     RadiusDifference result{{}, {}, other == nullptr};
     if (!other) // whatever the profiles
       result = {{0}, {0}, true};
-    const int last  = static_cast<int>(most / step * (1 + 1e-12));
-    int       first = other ? 0 : 1;
-    while (other && first > -last && !std::isnan(difference((first - 1) * step)))
-      --first;
-    for (int i = first; i <= last; ++i)
+    const int last = static_cast<int>(most / step * (1 + 1e-12));
+    for (int i = other ? -last : 1; i <= last; ++i)
       if (const double value = difference(i * step); !std::isnan(value))
         add_between(difference, i * step, value, result);
+      else if (i < 0) // what lies beyond is not reached from the middle
+        result = {{}, {}, false};
       else
         break;
     return result;

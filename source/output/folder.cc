@@ -17,6 +17,11 @@ namespace wheelrail
   {
     namespace fs = std::filesystem;
 
+    /// What runs and half-spaces leave.
+    constexpr char common_files[] =
+      "summary.json, figures.json, halfspace.h5, slices.h5, wear.csv, "
+      "intervals.csv, sections.json, report.html, ";
+
     /// Whether the program makes files of this name.
     bool
     is_own_file(const fs::path &path)
@@ -24,9 +29,9 @@ namespace wheelrail
       const fs::path    whole = path.extension() == ".part" ? path.stem() : path.filename();
       const std::string name = whole.string(), ending = whole.extension().string();
       for (const std::string &own : split_list(
-             "summary.json, figures.json, log.txt, history.h5, patch_history.h5, patch.h5, halfspace.h5, "
-             "halfspace_slices.h5, compare.json, compare.html, residual.h5, slices.h5, report.html, rail.h5, "
-             "passages.csv, passages.h5, input.prm, parameters.prm, intervals.csv, sections.json, wear.csv"))
+             std::string(common_files) +
+             "log.txt, history.h5, patch_history.h5, patch.h5, halfspace_slices.h5, compare.json, "
+             "compare.html, residual.h5, rail.h5, passages.csv, passages.h5, input.prm, parameters.prm"))
         if (name == own)
           return true;
       return ending == ".vtu" || ending == ".pvd" || name.rfind("checkpoint", 0) == 0 ||
@@ -272,9 +277,7 @@ namespace wheelrail
   void
   remove_earlier_results(const std::filesystem::path &folder)
   {
-    const auto names = split_list(
-      "summary.json, figures.json, halfspace.h5, slices.h5, wear.csv, intervals.csv, sections.json, "
-      "report.html, wheelset.csv, wheelset.html, parameters.prm");
+    const auto names = split_list(std::string(common_files) + "wheelset.csv, wheelset.html, parameters.prm");
     std::error_code ignored; // what cannot be removed shows when it is written anew
     for (const fs::path &part : {folder / "left", folder / "right", folder})
       if (fs::exists(part / "parameters.prm"))

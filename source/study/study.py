@@ -84,7 +84,7 @@ def compute(study, options):
     """Computes what is open; gives whether it was interrupted."""
     stop = []  # not an event: set() in a handler waits for ever when the signal comes within wait()
     for number in SIGNALS:
-        signal.signal(number, lambda number, _: stop.append(number))
+        signal.signal(number, lambda *_: stop.append(True))
     line = progress.Progress(study, options.jobs)
     with engine.Engine(study, options) as running:
         ended = 0  # looks since the last case ended; on a cluster the engine takes minutes to see that there is no more

@@ -297,10 +297,10 @@ namespace wheelrail
           profiles.files = state.files; // their noise is that of all states
         MixWear wear = wear_of_mix(rows, profiles, state.rail, state.wheel, team, state.steps.empty());
         // passages of a place on the rail and on the wheel; a body that does not wear meets ever new ones
-        const double over = plan.worn != WornBody::wheel, turns = plan.worn == WornBody::both
-                                                                    ? turns_of_a_passage(scene)
-                                                                    : plan.worn == WornBody::wheel;
-        const auto   rail  = taken(wear.rail_section, state.rail, over, plan.smoothing),
+        const double over = plan.worn != WornBody::wheel;
+        const double turns =
+          plan.worn == WornBody::both ? turns_of_a_passage(scene) : plan.worn == WornBody::wheel;
+        const auto rail    = taken(wear.rail_section, state.rail, over, plan.smoothing),
                    tread   = taken(wear.wheel_section, state.wheel, turns, plan.smoothing);
         const double depth = std::max(deepest(rail, state.rail), deepest(tread, state.wheel));
         const double left  = planned(scene, wear) - state.passages;

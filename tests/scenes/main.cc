@@ -40,11 +40,11 @@ test::Parallel::Parallel()
     {
       auto &all = boost::unit_test::framework::master_test_suite();
       mpi       = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(all.argc, all.argv, 1);
+      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        boost::unit_test::framework::register_observer(end_of_all_ranks);
     }
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &size);
-  if (size > 1)
-    boost::unit_test::framework::register_observer(end_of_all_ranks);
 }
 
 
