@@ -129,14 +129,16 @@ namespace wheelrail
     require_run(const std::string &folder)
     {
       const std::filesystem::path path = folder;
-      const auto        holds  = [&](const char *name) { return std::filesystem::exists(path / name); };
-      const std::string wanted = "; compare needs the output folder of a run";
+      const auto holds   = [&](const char *name) { return std::filesystem::exists(path / name); };
+      const auto refusal = [&](const std::string &why) {
+        return InputError(folder + ": " + why + "; compare needs the output folder of a run");
+      };
       if ((holds("halfspace.h5") && !holds("patch.h5")) || holds("wheelset.csv"))
-        throw InputError(folder + ": half-spaces, which have no run to be compared with" + wanted);
+        throw refusal("half-spaces, which have no run to be compared with");
       for (const char *other :
            {"receptance.csv", "cycles.csv", "wear.json", "vehicle.csv", "cases.csv", "wheel_rail.csv"})
         if (holds(other) && !holds("patch.h5"))
-          throw InputError(folder + ": " + other + " is there, which no run leaves" + wanted);
+          throw refusal(std::string(other) + " is there, which no run leaves");
       if (!std::filesystem::exists(path / "summary.json"))
         throw InputError("The folder " + folder + " holds no summary.json; give the output folder of a run.");
     }
